@@ -1,0 +1,1 @@
+"""Emission: an intermediate-representation module in, the text of a package's files out."""

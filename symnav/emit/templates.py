@@ -1,0 +1,45 @@
+"""The one loader of templates.
+
+Templates are named like the files they make and hold no logic beyond loops and macros. In an
+installed package they stand in ``symnav/templates``; in a checkout, beside the package.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from importlib.resources import files
+from pathlib import Path
+
+import jinja2
+
+
+@cache
+def _environment() -> jinja2.Environment:
+    """The environment every template is rendered in; an undefined name is an error."""
+    installed = files("symnav") / "templates"
+    root = Path(str(installed)) if installed.is_dir() else _checkout() / "templates"
+    return jinja2.Environment(
+        loader=jinja2.FileSystemLoader(root),
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+        autoescape=False,
+    )
+
+
+def _checkout() -> Path:
+    return Path(__file__).resolve().parents[2]
+
+
+def render(template: str, **context: object) -> str:
+    """Render one template.
+
+    Args:
+        template: its path below ``templates/``, such as ``c/kernel.h.j2``.
+        **context: every name the template mentions.
+
+    Returns:
+        The rendered text.
+    """
+    return _environment().get_template(template).render(**context)
