@@ -1,0 +1,1 @@
+"""The demonstration on recorded GPS observations: data, readers, positioning, summary."""
