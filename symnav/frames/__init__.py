@@ -1,0 +1,1 @@
+"""Frames: rotations, small-angle series, geodesy and earth constants."""
