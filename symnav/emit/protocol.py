@@ -8,12 +8,16 @@ from symnav import ir
 
 
 class Emitter(Protocol):
-    """A pure function from a module to files.
+    """A target language: one folder of ``symnav.emit``, which offers one pure function."""
 
-    The keys of the result are paths relative to the generated package, with forward slashes; the
-    values are the whole text of each file. The same module gives the same bytes.
-    """
+    def emit(self, module: ir.Module) -> dict[str, str]:
+        """Render every file of this target.
 
-    def __call__(self, module: ir.Module) -> dict[str, str]:
-        """Render every file of this target."""
+        Args:
+            module: what to emit, for one scalar type.
+
+        Returns:
+            Text by path, relative to the generated package, with forward slashes. The same
+            module gives the same bytes.
+        """
         ...

@@ -1,0 +1,105 @@
+"""Numbers as C literals, exact in the type they are written for."""
+
+from __future__ import annotations
+
+import math
+import struct
+
+from symnav import errors, ir
+
+_FLOAT_MAX = 3.4028234663852886e38
+_DOUBLE_MAX = 1.7976931348623157e308
+
+
+def literal(value: float, scalar: ir.Scalar) -> str:
+    """The shortest literal that reads back as the number nearest to ``value``.
+
+    Args:
+        value: a finite number.
+        scalar: the type of the literal; a float literal carries the suffix ``F``.
+
+    Raises:
+        InputError: when the number is not finite or does not fit the type.
+    """
+    if not math.isfinite(value):
+        raise errors.InputError(f"the constant {value} is not finite; C has no literal for it")
+    if scalar is ir.Scalar.DOUBLE:
+        return _with_point(repr(float(value)))
+    nearest = _to_float(value)
+    for digits in range(1, 10):
+        text = f"{nearest:.{digits}g}"
+        if _to_float(float(text)) == nearest:
+            break
+    return _with_point(_plain(text)) + "F"
+
+
+def bounds(lower: float, upper: float, scalar: ir.Scalar) -> tuple[str, str]:
+    """Literals of a closed range, rounded inwards where the type cannot hold an end exactly.
+
+    An infinite end becomes the largest finite number, so that a range never admits infinity. A
+    range too narrow to hold any number of the type becomes the one number nearest to it.
+    """
+    if scalar is ir.Scalar.DOUBLE:
+        low, high = max(lower, -_DOUBLE_MAX), min(upper, _DOUBLE_MAX)
+    else:
+        low, high = _up(lower), _down(upper)
+        if low > high:
+            low = high = _to_float(0.5 * (lower + upper))
+    return literal(low, scalar), literal(high, scalar)
+
+
+def integer_bounds(lower: float, upper: float) -> tuple[str, str]:
+    """Literals of a closed range of ``int32_t``, rounded inwards."""
+    low = max(math.ceil(max(lower, -2147483647.0)), -2147483647)
+    high = min(math.floor(min(upper, 2147483647.0)), 2147483647)
+    return str(low), str(high)
+
+
+def _to_float(value: float) -> float:
+    try:
+        (nearest,) = struct.unpack("<f", struct.pack("<f", value))
+    except OverflowError:
+        raise errors.InputError(
+            f"the constant {value!r} does not fit a 32-bit float; generate this function in double"
+        ) from None
+    return float(nearest)
+
+
+def _up(value: float) -> float:
+    """The smallest float not below ``value``."""
+    if value <= -_FLOAT_MAX:
+        return -_FLOAT_MAX
+    nearest = _to_float(value)
+    return nearest if nearest >= value else _step(nearest, upwards=True)
+
+
+def _down(value: float) -> float:
+    """The largest float not above ``value``."""
+    return -_up(-value)
+
+
+def _step(value: float, *, upwards: bool) -> float:
+    """The neighbour of a float."""
+    (bits,) = struct.unpack("<i", struct.pack("<f", value))
+    if value == 0.0:
+        tiny = struct.unpack("<f", struct.pack("<i", 1))[0]
+        return float(tiny if upwards else -tiny)
+    away = (value > 0.0) == upwards
+    (stepped,) = struct.unpack("<f", struct.pack("<i", bits + (1 if away else -1)))
+    return float(stepped)
+
+
+def _plain(text: str) -> str:
+    """``1e+05`` as ``100000``: powers of ten that read better written out."""
+    value = float(text)
+    if "e" in text and 1e-4 <= abs(value) < 1e8 and value == int(value):
+        return str(int(value))
+    return text
+
+
+def _with_point(text: str) -> str:
+    """``1e+22`` as ``1.0e+22`` and ``3`` as ``3.0``: a digit on both sides of a point."""
+    mantissa, mark, exponent = text.partition("e")
+    if "." not in mantissa:
+        mantissa += ".0"
+    return mantissa + mark + exponent

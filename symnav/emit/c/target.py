@@ -1,0 +1,58 @@
+"""What the scalar type and the package name decide about the text of the C."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from symnav import ir
+from symnav.emit.c import literals
+
+
+@dataclass(frozen=True, slots=True)
+class Target:
+    """One C tree: a prefix for every name and a floating-point type.
+
+    Attributes:
+        prefix: leads every function, type and file name.
+        scalar: the floating-point type.
+    """
+
+    prefix: str
+    scalar: ir.Scalar
+
+    @property
+    def macro(self) -> str:
+        """Leads every macro and enumerator."""
+        return self.prefix.upper()
+
+    @property
+    def real(self) -> str:
+        """Name of the floating-point type."""
+        return f"{self.prefix}_real_t"
+
+    @property
+    def status(self) -> str:
+        """Name of the status type."""
+        return f"{self.prefix}_status_t"
+
+    def literal(self, value: float) -> str:
+        """A number in this type."""
+        return literals.literal(value, self.scalar)
+
+    def bounds(self, lower: float, upper: float) -> tuple[str, str]:
+        """A range in this type, rounded inwards."""
+        return literals.bounds(lower, upper, self.scalar)
+
+    def function(self, name: str) -> str:
+        """A function of ``math.h`` for this type."""
+        return name if self.scalar is ir.Scalar.DOUBLE else f"{name}f"
+
+    def code(self, status: ir.Status) -> str:
+        """The enumerator of a status."""
+        return f"{self.macro}_{status.name}"
+
+
+def target_of(module: ir.Module) -> Target:
+    """The tree a module is emitted to; the float tree has a prefix of its own."""
+    suffix = "" if module.scalar is ir.Scalar.DOUBLE else "_f32"
+    return Target(module.name + suffix, module.scalar)
