@@ -90,10 +90,13 @@ class Ref:
 
 @dataclass(frozen=True, slots=True)
 class Load:
-    """Element ``index`` of an argument; of the current item where the argument is per item."""
+    """Element ``index`` of an argument; of the current item where the argument is per item.
+
+    The index is an ``Offset`` where a run-time slot chooses the element of the state.
+    """
 
     argument: str
-    index: int
+    index: int | Offset
 
 
 @dataclass(frozen=True, slots=True)

@@ -198,6 +198,7 @@ MODELS = (
         mapped=False,
         always_double=True,
         function=broadcast_orbit,
+        differentiated=("time",),
         conventions=_conventions,
     ),
 )

@@ -202,6 +202,7 @@ MODELS = (
         mapped=False,
         always_double=False,
         function=gnss_position_to_state_frame,
+        differentiated=("receiver_position",),
         conventions=lambda _options: (
             "The covariance leaves out the uncertainty of the attitude that rotates the lever arm; "
             "where the attitude is estimated, prefer gnss_position with a lever arm.",
@@ -224,6 +225,7 @@ MODELS = (
         mapped=False,
         always_double=True,
         function=local_from_geodetic,
+        differentiated=("fix",),
         conventions=_local_conventions,
     ),
 )  # fmt: skip

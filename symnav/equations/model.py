@@ -94,6 +94,7 @@ class Model:
         function: the equation itself, over ``Bound`` quantities, giving its results.
         conventions: sentences for headers and documentation, from the options chosen.
         check: extra rules; gives problems as (keyword, message) pairs.
+        differentiated: roles the equation itself differentiates by (rates, covariance maps).
     """
 
     name: str
@@ -110,6 +111,7 @@ class Model:
     check: Callable[[Mapping[str, OptionValue], frozenset[str]], tuple[tuple[str, str], ...]] = (
         field(default=lambda _options, _bound: ())
     )
+    differentiated: tuple[str, ...] = ()
 
     def role(self, name: str) -> Role:
         """The role of that name."""
