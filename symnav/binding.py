@@ -83,14 +83,22 @@ class Arguments:
     inputs: dict[str, Input] = field(default_factory=dict)
     uses_state: bool = False
     _values: dict[str, Value] = field(default_factory=dict)
+    _storage: dict[str, Row] = field(default_factory=dict)
+
+    def symbols_of(self, name: str) -> Row:
+        """Symbols of the stored elements of a state block; made once."""
+        if name not in self._storage:
+            place = self.spec.layout.places[name]
+            self._storage[name] = self._symbols(place.block, STATE, place.start, item=False)
+            self.uses_state = True
+        return self._storage[name]
 
     def state(self, name: str, *, active: bool = True) -> Value:
         """The value of a state block; attached once."""
         key = f"{STATE}.{name}"
         if key not in self._values:
             place = self.spec.layout.places[name]
-            symbols = self._symbols(place.block, STATE, place.start, item=False)
-            self.uses_state = True
+            symbols = self.symbols_of(name)
             source = None
             if active:
                 source = self._source(name, place.block.error_size, True, place.error_start)

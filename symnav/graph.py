@@ -81,10 +81,15 @@ class Vertex:
 
 @dataclass
 class Graph:
-    """The definitions and vertices of one equation, in the order they were made."""
+    """The definitions and vertices of one equation, in the order they were made.
+
+    ``reserved`` names (arguments, outputs, words of the target languages) are never given to a
+    definition.
+    """
 
     definitions: list[Definition] = field(default_factory=list)
     vertices: dict[str, Vertex] = field(default_factory=dict)
+    reserved: frozenset[str] = frozenset()
     _owner: dict[sp.Symbol, tuple[str, int]] = field(default_factory=dict)
     _item: set[sp.Symbol] = field(default_factory=set)
     _moving: set[sp.Symbol] = field(default_factory=set)
@@ -139,7 +144,8 @@ class Graph:
         labels = element_names(name, len(expressions), suffixes)
         symbols = []
         for label, expression in zip(labels, expressions, strict=True):
-            symbol = sp.Symbol(self._unique(label))
+            free = f"{label}_" if label in self.reserved else label
+            symbol = sp.Symbol(self._unique(free))
             item = self._is_item(expression.free_symbols)
             self.definitions.append(Definition(symbol, expression, item, guard, frozen))
             if item:
@@ -198,6 +204,23 @@ class Graph:
     ) -> Vertex:
         """A vertex by rule: ``symbols`` (none for a virtual one) with the partials given."""
         return self.attach(name, symbols, len(symbols) if size is None else size, partials)
+
+    def free_name(self, name: str, taken: set[str]) -> str:
+        """A name that neither the graph nor ``taken`` has; it is added to ``taken``."""
+        wanted = f"{name}_" if name in self.reserved else name
+        for candidate in itertools.chain((wanted,), _numbered(wanted)):
+            if candidate not in self._names and candidate not in taken:
+                taken.add(candidate)
+                return candidate
+        raise AssertionError("unreachable")
+
+    def adopt(self, definitions: Sequence[Definition]) -> None:
+        """Append definitions made outside, with names from ``free_name``; they do not move."""
+        for definition in definitions:
+            self._names.add(definition.symbol.name)
+            if definition.item:
+                self._item.add(definition.symbol)
+            self.definitions.append(definition)
 
     # -- questions ---------------------------------------------------------------------------
 
