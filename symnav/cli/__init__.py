@@ -1,0 +1,40 @@
+"""The command line: one verb per step, each a thin shell over ``symnav.pipeline``.
+
+The modules of this package import click and nothing heavier; SymPy, CasADi, pydantic and rich are
+imported by the verb that needs them, so that ``symnav --help`` answers at once.
+"""
+
+from __future__ import annotations
+
+import click
+
+from symnav import __version__
+from symnav.cli.demonstration import demo
+from symnav.cli.generation import build, check, generate
+from symnav.cli.project import doctor, list_models, new
+from symnav.cli.proof import verify
+
+__all__ = ["main"]
+
+
+@click.group(
+    context_settings={"help_option_names": ["-h", "--help"]},
+    epilog="""\b
+Examples:
+  symnav demo                                 the whole path on recorded GPS data
+  symnav new rover                            a specification to edit: rover.toml
+  symnav generate rover.toml --out generated
+  symnav verify rover.toml
+
+\b
+Exit codes:
+  0 fine, 2 the user's input, 3 a failed proof, 4 stale, 5 hand-edited, 1 other
+""",
+)
+@click.version_option(__version__, prog_name="symnav", message="%(prog)s %(version)s")
+def main() -> None:
+    """Turn a navigation state vector into code that is derived, compiled and proven."""
+
+
+for _verb in (new, generate, build, verify, check, list_models, doctor, demo):
+    main.add_command(_verb)
