@@ -68,6 +68,7 @@ class Derivation:
         arguments: run-time arguments in order; ``x`` first where the state is used.
         mapped: True when evaluated per item.
         equation: definitions of the equation alone, before differentiation, for witnesses.
+        item_symbols: argument symbols that differ from item to item.
     """
 
     name: str
@@ -78,6 +79,7 @@ class Derivation:
     arguments: tuple[str, ...]
     mapped: bool
     equation: tuple[Definition, ...]
+    item_symbols: frozenset[sp.Symbol]
 
     def operations(self) -> tuple[int, int]:
         """Structural operation count of the shared and of the item part."""
@@ -113,6 +115,7 @@ def derive(spec: Spec, entry: Entry, reserved: frozenset[str]) -> Derivation:
         tuple(order),
         entry.model.mapped,
         equation,
+        graph.item_arguments(bound.arguments.origins),
     )
 
 
@@ -148,7 +151,7 @@ def _layout_function(
     definitions = needed(graph.definitions, (output,))
     return Derivation(
         name, None, definitions, (output,), arguments.origins, ("x", second, *inputs), False,
-        definitions,
+        definitions, frozenset(),
     )  # fmt: skip
 
 

@@ -228,6 +228,10 @@ class Graph:
         """Name of the vertex whose tangent a symbol is, if it moves."""
         return self._owner[symbol][0] if symbol in self._owner else None
 
+    def item_arguments(self, symbols: Iterable[sp.Symbol]) -> frozenset[sp.Symbol]:
+        """Those of the symbols that differ from item to item."""
+        return frozenset(symbol for symbol in symbols if symbol in self._item)
+
     def moves(self, *expressions: sp.Expr) -> bool:
         """True when an expression depends on the error of the state or of an input."""
         return any(not self._moving.isdisjoint(e.free_symbols) for e in expressions)

@@ -95,6 +95,7 @@ class Model:
         conventions: sentences for headers and documentation, from the options chosen.
         check: extra rules; gives problems as (keyword, message) pairs.
         differentiated: roles the equation itself differentiates by (rates, covariance maps).
+        frame_rule: completes the frames of roles that no binding decides; see ``no_rule``.
     """
 
     name: str
@@ -112,10 +113,29 @@ class Model:
         field(default=lambda _options, _bound: ())
     )
     differentiated: tuple[str, ...] = ()
+    frame_rule: Callable[[Mapping[str, str], Mapping[str, str], str | None], Mapping[str, str]] = (
+        field(default=lambda known, axes, level: no_rule(known, axes, level))
+    )
 
     def role(self, name: str) -> Role:
         """The role of that name."""
         return next(role for role in self.roles if role.name == name)
+
+
+def no_rule(
+    known: Mapping[str, str], axes: Mapping[str, str], level: str | None
+) -> Mapping[str, str]:
+    """The frame rule of most models: nothing to add.
+
+    Args:
+        known: frame role -> name, as far as bindings decide it.
+        axes: name of each declared frame -> its axes.
+        level: local-level frame of a geodetic position, if one is bound.
+
+    Returns:
+        frames to add for roles that are not yet known.
+    """
+    return {}
 
 
 def vector(

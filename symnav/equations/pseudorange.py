@@ -55,17 +55,30 @@ def pseudorange_relative(q: Bound) -> Results:
 
 
 def _antenna(q: Bound) -> Quantity:
-    """a = p0 + C (p + R l), in the earth-fixed frame."""
+    """a = p0 + C (p + R l), in the earth-fixed frame; C only where p is not earth-fixed."""
     position = q.vector("position")
     to_ecef = q.rotation("nav_to_ecef")
     arm = q.optional("lever_arm")
-    level = q.level_of("position")
     if arm is not None:
-        arm = resolve_in(position.frame, arm, q.rotation("attitude"), level)
+        arm = resolve_in(
+            position.frame, arm, q.rotation("attitude"), q.level_of("position"), to_ecef
+        )
     antenna = total(position, arm)
-    if to_ecef is not None and level is None:
+    if to_ecef is not None and antenna.frame != q.frames["ecef"]:
         antenna = rotate(to_ecef, let("antenna_nav", antenna), "antenna_ecef")
     return let("antenna", total(antenna, q.optional("origin")))
+
+
+def _frames(
+    known: Mapping[str, str], axes: Mapping[str, str], level: str | None
+) -> Mapping[str, str]:
+    """An earth-fixed position decides the earth-fixed frame, any other the navigation frame."""
+    place = known.get("place")
+    if place is None:
+        return {}
+    if level is not None:
+        return {"ecef": place, "nav": level}
+    return {"ecef": place} if axes.get(place) == "ecef" else {"nav": place}
 
 
 def _delays(q: Bound) -> list[Quantity | None]:
@@ -80,7 +93,7 @@ def _delays(q: Bound) -> list[Quantity | None]:
 
 
 def _plain(q: Bound, antenna: Quantity, satellite: Quantity) -> Quantity:
-    return norm("range", satellite - antenna)
+    return norm("range", antenna - satellite)
 
 
 def _first_order(q: Bound, antenna: Quantity, satellite: Quantity) -> Quantity:
@@ -100,15 +113,15 @@ def _sagnac_term(q: Bound, satellite: Quantity, antenna: Quantity) -> Quantity:
 
 
 def _rotate_once(q: Bound, antenna: Quantity, satellite: Quantity) -> Quantity:
-    distance = norm("range_unrotated", satellite - antenna)
-    return norm("range", _turned(q, "turned", satellite, distance) - antenna)
+    distance = norm("range_unrotated", antenna - satellite)
+    return norm("range", antenna - _turned(q, "turned", satellite, distance))
 
 
 def _exact(q: Bound, antenna: Quantity, satellite: Quantity) -> Quantity:
-    distance = norm("range_0", satellite - antenna)
+    distance = norm("range_0", antenna - satellite)
     for k in range(1, ITERATIONS + 1):
         name = "range" if k == ITERATIONS else f"range_{k}"
-        distance = norm(name, _turned(q, f"turned_{k}", satellite, distance) - antenna)
+        distance = norm(name, antenna - _turned(q, f"turned_{k}", satellite, distance))
     return distance
 
 
@@ -176,7 +189,7 @@ def _conventions(options: Mapping[str, OptionValue]) -> tuple[str, ...]:
 
 def _geometry(position: str) -> tuple[object, ...]:
     return (
-        point("position", "nav", 1e8, position),
+        point("position", "place", 1e8, position),
         rotation("attitude", "body -> nav", "Attitude of the body.", optional=True),
         vector("lever_arm", "m", "body", 100.0, "Antenna from the body origin, in the body frame.",
                optional=True),
@@ -210,6 +223,7 @@ MODELS = (
         mapped=True,
         always_double=True,
         function=pseudorange,
+        frame_rule=_frames,
         conventions=_conventions,
     ),
     Model(
@@ -233,6 +247,7 @@ MODELS = (
         mapped=True,
         always_double=False,
         function=pseudorange_relative,
+        frame_rule=_frames,
         conventions=lambda _options: (
             "rho0 = r0 + S(s, p0) - c dt_s + T + I + b0 is formed in double by the caller; the "
             "measurement is z - rho0.",

@@ -24,22 +24,18 @@ SERIES_LIMIT = sp.Rational(1, 100)
 def unit_quaternion_matrix(graph: Graph, name: str, q: Row) -> Row:
     """Nine entries of R(q) in the form 1 - 2(yy + zz), for a unit quaternion (24 operations)."""
     w, x, y, z = q
-    yy_zz, xx_zz, xx_yy, xy_wz, xy_zw, xz_wy, xz_yw, yz_wx, yz_xw = graph.define(
-        f"{name}_q",
-        [
-            y * y + z * z, x * x + z * z, x * x + y * y,
-            x * y - w * z, x * y + w * z,
-            x * z + w * y, x * z - w * y,
-            y * z - w * x, y * z + w * x,
-        ],
-        suffixes=("yyzz", "xxzz", "xxyy", "xymwz", "xypwz", "xzpwy", "xzmwy", "yzmwx", "yzpwx"),
-    )  # fmt: skip
+    x2, y2, z2 = graph.define(f"{name}_twice", [2 * x, 2 * y, 2 * z])
+    xx, yy, zz, xy, xz, yz, wx, wy, wz = graph.define(
+        f"{name}_twice",
+        [x * x2, y * y2, z * z2, x * y2, x * z2, y * z2, w * x2, w * y2, w * z2],
+        suffixes=("xx", "yy", "zz", "xy", "xz", "yz", "wx", "wy", "wz"),
+    )
     return graph.define(
         name,
         [
-            1 - 2 * yy_zz, 2 * xy_wz, 2 * xz_wy,
-            2 * xy_zw, 1 - 2 * xx_zz, 2 * yz_wx,
-            2 * xz_yw, 2 * yz_xw, 1 - 2 * xx_yy,
+            1 - (yy + zz), xy - wz, xz + wy,
+            xy + wz, 1 - (xx + zz), yz - wx,
+            xz - wy, yz + wx, 1 - (xx + yy),
         ],
         suffixes=NAMES,
     )  # fmt: skip

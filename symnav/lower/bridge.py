@@ -1,0 +1,149 @@
+"""SymPy expressions to CasADi, node type by node type; a node that is not listed is refused.
+
+Numbers keep their value: a float is never truncated, a rational becomes its nearest double.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import reduce
+
+import casadi as ca
+import sympy as sp
+from sympy.core.relational import Relational
+from sympy.logic.boolalg import BooleanFalse, BooleanTrue
+
+Table = Mapping[sp.Symbol, ca.SX]
+
+
+def to_casadi(expression: sp.Basic, table: Table) -> ca.SX:
+    """Convert an expression whose symbols all stand in ``table``.
+
+    Raises:
+        TypeError: for a node type the bridge does not know; it names the type.
+    """
+    for kind, convert in _CONVERTERS:
+        if isinstance(expression, kind):
+            return convert(expression, table)
+    raise TypeError(f"no CasADi counterpart for {type(expression).__name__}: {expression}")
+
+
+def _symbol(expression: sp.Symbol, table: Table) -> ca.SX:
+    return table[expression]
+
+
+def _number(expression: sp.Number, table: Table) -> ca.SX:
+    return ca.SX(float(expression))
+
+
+def _sum(expression: sp.Add, table: Table) -> ca.SX:
+    """Terms added and subtracted, a positive one first, so that no sign costs an operation."""
+    terms = [_signed(term) for term in expression.args]
+    terms.sort(key=lambda term: term[0] < 0)
+    sign, first = terms[0]
+    result = to_casadi(first, table) if sign > 0 else -to_casadi(first, table)
+    for sign, term in terms[1:]:
+        value = to_casadi(term, table)
+        result = result + value if sign > 0 else result - value
+    return result
+
+
+def _signed(term: sp.Expr) -> tuple[int, sp.Expr]:
+    coefficient = term.args[0] if term.is_Mul else term
+    if coefficient.is_number and coefficient.is_negative:
+        return -1, -term
+    return 1, term
+
+
+def _product(expression: sp.Mul, table: Table) -> ca.SX:
+    """Factors above and below one division line."""
+    sign, above, below = 1, [], []
+    for factor in expression.args:
+        if factor == -1:
+            sign = -sign
+        elif factor.is_Pow and factor.exp.is_number and factor.exp.is_negative:
+            below.append(to_casadi(sp.Pow(factor.base, -factor.exp), table))
+        else:
+            above.append(to_casadi(factor, table))
+    top = reduce(lambda a, b: a * b, above) if above else ca.SX(1.0)
+    result = top / reduce(lambda a, b: a * b, below) if below else top
+    return -result if sign < 0 else result
+
+
+def _power(expression: sp.Pow, table: Table) -> ca.SX:
+    base, exponent = to_casadi(expression.base, table), expression.exp
+    if exponent.is_Integer and exponent > 0:
+        return reduce(lambda a, b: a * b, [base] * int(exponent))
+    if exponent == sp.Rational(1, 2):
+        return ca.sqrt(base)
+    if exponent.is_Rational and exponent.q == 2 and exponent > 0:
+        whole = reduce(lambda a, b: a * b, [base] * int(exponent.p // 2))
+        return whole * ca.sqrt(base)
+    if exponent.is_number and exponent.is_negative:
+        return 1.0 / to_casadi(sp.Pow(expression.base, -exponent), table)
+    raise TypeError(f"no CasADi counterpart for the power {expression}")
+
+
+def _call(function: Callable[..., ca.SX]) -> Callable[[sp.Basic, Table], ca.SX]:
+    def convert(expression: sp.Basic, table: Table) -> ca.SX:
+        return function(*(to_casadi(argument, table) for argument in expression.args))
+
+    return convert
+
+
+def _piecewise(expression: sp.Piecewise, table: Table) -> ca.SX:
+    *branches, (last, condition) = expression.args
+    assert condition == sp.true, "a piecewise expression ends in a branch for everything else"
+    result = to_casadi(last, table)
+    for value, condition in reversed(branches):
+        result = ca.if_else(to_casadi(condition, table), to_casadi(value, table), result)
+    return result
+
+
+def _relation(expression: Relational, table: Table) -> ca.SX:
+    a, b = (to_casadi(side, table) for side in expression.args)
+    compare = {
+        sp.StrictLessThan: lambda: a < b,
+        sp.LessThan: lambda: a <= b,
+        sp.StrictGreaterThan: lambda: b < a,
+        sp.GreaterThan: lambda: b <= a,
+        sp.Equality: lambda: a == b,
+        sp.Unequality: lambda: a != b,
+    }
+    return compare[type(expression)]()
+
+
+def _fold(function: Callable[[ca.SX, ca.SX], ca.SX]) -> Callable[[sp.Basic, Table], ca.SX]:
+    def convert(expression: sp.Basic, table: Table) -> ca.SX:
+        return reduce(function, (to_casadi(argument, table) for argument in expression.args))
+
+    return convert
+
+
+_CONVERTERS: tuple[tuple[type | tuple[type, ...], Callable[..., ca.SX]], ...] = (
+    (sp.Symbol, _symbol),
+    ((sp.Number, sp.NumberSymbol), _number),
+    (sp.Add, _sum),
+    (sp.Mul, _product),
+    (sp.Pow, _power),
+    (sp.sin, _call(ca.sin)),
+    (sp.cos, _call(ca.cos)),
+    (sp.tan, _call(ca.tan)),
+    (sp.asin, _call(ca.asin)),
+    (sp.acos, _call(ca.acos)),
+    (sp.atan, _call(ca.atan)),
+    (sp.atan2, _call(ca.atan2)),
+    (sp.exp, _call(ca.exp)),
+    (sp.log, _call(ca.log)),
+    (sp.Abs, _call(ca.fabs)),
+    (sp.floor, _call(ca.floor)),
+    (sp.Min, _fold(ca.fmin)),
+    (sp.Max, _fold(ca.fmax)),
+    (sp.Piecewise, _piecewise),
+    (Relational, _relation),
+    (sp.And, _fold(ca.logic_and)),
+    (sp.Or, _fold(ca.logic_or)),
+    (sp.Not, _call(ca.logic_not)),
+    (BooleanTrue, lambda _e, _t: ca.SX(1.0)),
+    (BooleanFalse, lambda _e, _t: ca.SX(0.0)),
+)
