@@ -1,0 +1,206 @@
+"""Identifiers: which names a user may give, which the generated code keeps, and macro names.
+
+A name ends up in C, in C++ (headers are included there), in Python and in documentation, so it
+must be an identifier everywhere, must not depend on case, and must not be a name that the
+generated code itself gives. Every function that refuses a name says why.
+"""
+
+from __future__ import annotations
+
+import keyword
+import re
+from collections.abc import Iterable, Mapping
+from enum import StrEnum
+
+
+def _words(text: str) -> frozenset[str]:
+    return frozenset(text.split())
+
+
+#: C99 promises 31 significant characters; the rest of a symbol is the prefix and the function.
+LONGEST = 31
+
+C_KEYWORDS = _words(
+    """
+    auto break case char const continue default do double else enum extern float for goto if
+    inline int long register restrict return short signed sizeof static struct switch typedef
+    union unsigned void volatile while alignas alignof bool constexpr false nullptr static_assert
+    thread_local true typeof typeof_unqual asm fortran
+    """
+)
+
+CPP_KEYWORDS = _words(
+    """
+    and and_eq bitand bitor catch char16_t char32_t char8_t class co_await co_return co_yield compl
+    concept const_cast consteval constinit decltype delete dynamic_cast explicit export friend
+    mutable namespace new noexcept not not_eq operator or or_eq private protected public
+    reinterpret_cast requires static_cast template this throw try typeid typename using virtual
+    wchar_t xor xor_eq
+    """
+)
+
+PYTHON_KEYWORDS = frozenset(keyword.kwlist)
+
+_MATH_FUNCTIONS = _words(
+    """
+    acos acosh asin asinh atan atan2 atanh cbrt ceil copysign cos cosh erf erfc exp exp2 expm1 fabs
+    fdim floor fma fmax fmin fmod frexp hypot ilogb ldexp lgamma llrint llround log log10 log1p
+    log2 logb lrint lround modf nan nearbyint nextafter nexttoward pow remainder remquo rint round
+    scalbln scalbn sin sinh sqrt tan tanh tgamma trunc
+    """
+)
+
+#: Functions and macros of math.h, with the historical ones that compilers still declare.
+MATH_NAMES = frozenset(
+    f"{name}{suffix}" for name in _MATH_FUNCTIONS for suffix in ("", "f", "l")
+) | _words(
+    """
+    j0 j1 jn y0 y1 yn j0f j1f jnf y0f y1f ynf gamma gammaf drem significand scalb signgam finite
+    fpclassify isfinite isinf isnan isnormal signbit isgreater isgreaterequal isless islessequal
+    islessgreater isunordered HUGE_VAL INFINITY NAN FP_NAN float_t double_t math_errhandling
+    """
+)
+
+#: Macros and names that headers or compilers put in every C file.
+C_MACROS = _words("NULL EOF errno assert offsetof complex imaginary I linux unix noreturn abs div")
+
+#: Arguments and outputs of generated functions.
+ARGUMENT_NAMES = _words(
+    """
+    x d y n out value jacobian residual status item_status epochs nonzeros
+    noise_map self np xp
+    """
+)
+
+#: Attributes of the generated ``State``.
+STATE_ATTRIBUTES = _words(
+    """
+    size error_size names error units frames labels pack unpack retract local digest initial count
+    index
+    """
+)
+
+#: Modules, classes, files and enumerations of a generated package.
+FUNCTION_NAMES = _words(
+    """
+    State BACKEND GuardError Status numpy native casadi c retract local types check state status
+    real version manifest
+    """
+)
+
+#: Suffixes of the entry points made from one function.
+FUNCTION_SUFFIXES = (
+    "value", "jacobian", "nz", "batch", "sd", "difference_matrix", "difference_covariance",
+    "kernel", "jacobian_rows", "jacobian_columns",
+)  # fmt: skip
+
+#: Words of the specification that stand where a name could stand.
+BINDING_WORDS = frozenset({"input", "none"})
+
+#: Names that no definition inside a generated function may take.
+RESERVED = (
+    C_KEYWORDS
+    | CPP_KEYWORDS
+    | PYTHON_KEYWORDS
+    | MATH_NAMES
+    | C_MACROS
+    | ARGUMENT_NAMES
+    | frozenset({"bad", "ok"})
+)
+
+_IDENTIFIER = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
+
+
+class Use(StrEnum):
+    """What a name is given to; decides which generated names it must keep clear of."""
+
+    PACKAGE = "package"
+    STATE = "state block"
+    INPUT = "input"
+    FUNCTION = "measurement or correction"
+    TERM = "term"
+    FRAME = "frame"
+    SYSTEM = "satellite system"
+
+
+_GENERATED: Mapping[Use, frozenset[str]] = {
+    Use.PACKAGE: frozenset({"symnav", "numpy", "casadi", "cffi", "generated"}),
+    Use.STATE: ARGUMENT_NAMES | STATE_ATTRIBUTES,
+    Use.INPUT: ARGUMENT_NAMES,
+    Use.FUNCTION: FUNCTION_NAMES,
+    Use.TERM: ARGUMENT_NAMES,
+    Use.FRAME: frozenset(),
+    Use.SYSTEM: frozenset(),
+}
+
+
+def fault(name: str, use: Use) -> str | None:
+    """Why a name cannot be given, or None when it can."""
+    return _shape_fault(name) or (None if use is Use.FRAME else _word_fault(name, use))
+
+
+def _shape_fault(name: str) -> str | None:
+    if name.startswith("_"):
+        return f"{name!r} starts with an underscore, which C and Python keep for themselves"
+    if not _IDENTIFIER.fullmatch(name):
+        return (
+            f"{name!r} is not an identifier; use letters, digits and underscores, "
+            "starting with a letter"
+        )
+    if "__" in name:
+        return f"{name!r} has a double underscore, which C++ keeps for itself"
+    if name.endswith("_"):
+        return f"{name!r} ends with an underscore, which generated names use"
+    if len(name) > LONGEST:
+        return f"{name!r} has {len(name)} characters; {LONGEST} are allowed"
+    return None
+
+
+def _word_fault(name: str, use: Use) -> str | None:
+    for words, what in (
+        (C_KEYWORDS, "a keyword of C"),
+        (CPP_KEYWORDS, "a keyword of C++"),
+        (PYTHON_KEYWORDS, "a keyword of Python"),
+        (MATH_NAMES, "declared by math.h"),
+        (C_MACROS, "a name of the C library or a compiler"),
+        (BINDING_WORDS, "a word of the specification"),
+    ):
+        if name in words:
+            return f"{name!r} is {what}; choose another name"
+    folded = {word.lower() for word in _GENERATED[use]}
+    if name.lower() in folded or (use is Use.INPUT and name.startswith("jacobian_")):
+        return f"{name!r} is a name that the generated code gives itself; choose another name"
+    return None
+
+
+def clash(name: str, taken: Iterable[str]) -> str | None:
+    """The name already taken that differs from this one in nothing or only in case."""
+    return next((other for other in taken if other.lower() == name.lower()), None)
+
+
+def entry_point_clash(name: str, functions: Iterable[str]) -> str | None:
+    """The function whose entry points would include this name, if any."""
+    for other in functions:
+        if name != other and name.lower() in {f"{other}_{s}".lower() for s in FUNCTION_SUFFIXES}:
+            return other
+    return None
+
+
+def step_clash(name: str, arguments: Iterable[str]) -> str | None:
+    """The argument whose batch step would have this name, if any."""
+    return next((other for other in arguments if name == f"{other}_step"), None)
+
+
+def symbol(prefix: str, *parts: str) -> str:
+    """A C symbol: ``rover_gps_value``."""
+    return "_".join([prefix, *parts])
+
+
+def macro(prefix: str, *parts: str) -> str:
+    """A C macro or enumerator: ``ROVER_GPS_MAX_ITEMS``."""
+    return symbol(prefix, *parts).upper()
+
+
+def include_guard(path: str) -> str:
+    """The include guard of a header: ``ROVER_ROVER_H`` for ``rover/rover.h``."""
+    return re.sub(r"[^A-Za-z0-9]", "_", path).upper()
