@@ -1,0 +1,1 @@
+"""Tests of symnav, and the independent truth it is judged by."""
