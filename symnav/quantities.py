@@ -341,6 +341,35 @@ def divide(name: str, numerator: Quantity, denominator: Quantity) -> Quantity:
     return Quantity(graph, elements, numerator.unit / denominator.unit, numerator.frame)
 
 
+def square_root(name: str, square: Quantity) -> Quantity:
+    """Square root of a scalar, named; an argument below 1e-30 is a domain error."""
+    if square.size != 1:
+        raise EquationError(f"the square root needs a scalar, got {square.describe()}")
+    graph = square.graph
+    guard = Guard(1e-30, LARGEST_SQUARE, 1.0, f"argument of {name}")
+    (argument,) = graph.let(f"{name}_squared", square.elements, guard=guard)
+    (root,) = graph.define(name, [sp.sqrt(argument)])
+    if graph.moves(argument):
+        slope = ((1 / (2 * root),),)
+        graph.vertex(name, (root,), _through(graph, (argument,), slope))
+    return Quantity(graph, (root,), square.unit ** Fraction(1, 2))
+
+
+def arctangent2(name: str, y: Quantity, x: Quantity) -> Quantity:
+    """Angle of the point (x, y), named; both below 1e-15 are a domain error."""
+    if y.size != 1 or x.size != 1 or y.unit != x.unit:
+        raise EquationError(f"atan2: {y.describe()} and {x.describe()} do not fit")
+    graph = y.graph
+    point = graph.let(f"{name}_point", (y.elements[0], x.elements[0]), suffixes=("y", "x"))
+    guard = Guard(1e-30, LARGEST_SQUARE, 1.0, f"squared distance of {name}")
+    (square,) = graph.define(f"{name}_squared", [sp.Add(*(e * e for e in point))], guard=guard)
+    (angle,) = graph.define(name, [sp.atan2(*point)])
+    if graph.moves(*point):
+        slope = ((point[1] / square, -point[0] / square),)
+        graph.vertex(name, (angle,), _through(graph, point, slope))
+    return Quantity(graph, (angle,), units.ONE)
+
+
 def _through(graph: Graph, operand: Row, matrix: Matrix) -> dict[str, Matrix]:
     """Partials of matrix . operand toward the vertices that own the operand's elements."""
     inner = graph.local_partials(operand)
