@@ -2,28 +2,23 @@
 
 Input: a ``Spec``. Output: one ``Derivation`` per entry, and one each for retract and local: named
 definitions in dependency order, and outputs whose elements are expressions over them.
-
-The chain rule is multiplied out vertex by vertex. Every product that is more than a symbol gets a
-name, so that it is computed once. No order of elimination is best for every equation, so a few are
-tried and the one with the fewest operations is kept; what depends on an item counts eightfold.
+Values and Jacobians come from one graph; the Jacobians from eliminating its vertices.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import sympy as sp
 
 from symnav.binding import Arguments, BoundEntry, Origin, Source, bind
 from symnav.equations.bound import Results
 from symnav.errors import EquationError
-from symnav.graph import ZERO, Definition, Graph, Matrix, element_names, product, transpose
+from symnav.elimination import jacobian, operations
+from symnav.graph import ZERO, Definition, Graph, Matrix, product, transpose
 from symnav.quantities import Quantity
-from symnav.spec.records import Entry, Spec
-
-#: How much an operation of the item part weighs against one of the shared part.
-ITEM_WEIGHT = 8
+from symnav.spec.records import Entry, Spec, ToInput
 
 Element = tuple[int, int]
 
@@ -56,6 +51,27 @@ class DerivedOutput:
 
 
 @dataclass(frozen=True)
+class Equation:
+    """The equation before any differentiation, for witnesses that differentiate it their own way.
+
+    Attributes:
+        definitions: in dependency order.
+        outputs: elements by output name, the one with Jacobians first.
+        rates: output name -> (output that is differentiated, source it is differentiated by).
+        covariances: output name -> (source, nine elements of the input covariance).
+        sources: every error whose derivative is wanted.
+        raw: inputs whose stored elements are perturbed directly.
+    """
+
+    definitions: tuple[Definition, ...]
+    outputs: Mapping[str, tuple[sp.Expr, ...]]
+    rates: Mapping[str, tuple[str, Source]]
+    covariances: Mapping[str, tuple[Source, tuple[sp.Expr, ...]]]
+    sources: tuple[Source, ...]
+    raw: frozenset[str]
+
+
+@dataclass(frozen=True)
 class Derivation:
     """An equation with its Jacobians, ready to be lowered.
 
@@ -67,7 +83,7 @@ class Derivation:
         origins: where argument symbols are loaded from.
         arguments: run-time arguments in order; ``x`` first where the state is used.
         mapped: True when evaluated per item.
-        equation: definitions of the equation alone, before differentiation, for witnesses.
+        equation: the equation before differentiation.
         item_symbols: argument symbols that differ from item to item.
     """
 
@@ -78,7 +94,7 @@ class Derivation:
     origins: Mapping[sp.Symbol, Origin]
     arguments: tuple[str, ...]
     mapped: bool
-    equation: tuple[Definition, ...]
+    equation: Equation
     item_symbols: frozenset[sp.Symbol]
 
     def operations(self) -> tuple[int, int]:
@@ -103,7 +119,7 @@ def derive(spec: Spec, entry: Entry, reserved: frozenset[str]) -> Derivation:
     if entry.residual:
         first = next(iter(results.outputs))
         values["residual"] = bound.bound.vector("measured") - values[first]
-    equation = tuple(graph.definitions)
+    equation = _equation(graph, bound, results, values)
     outputs = _outputs(graph, bound, results, values)
     order = [name for name in _argument_order(spec, bound) if name]
     return Derivation(
@@ -149,10 +165,33 @@ def _layout_function(
     output = DerivedOutput("value", "value", len(values), 0, entries, {}, "", "", "")
     inputs = tuple(sorted(arguments.inputs))
     definitions = needed(graph.definitions, (output,))
+    equation = Equation(definitions, {"value": tuple(values)}, {}, {}, (), frozenset())
     return Derivation(
         name, None, definitions, (output,), arguments.origins, ("x", second, *inputs), False,
-        definitions, frozenset(),
+        equation, frozenset(),
     )  # fmt: skip
+
+
+def _equation(
+    graph: Graph, bound: BoundEntry, results: Results, values: Mapping[str, Quantity]
+) -> Equation:
+    entry = bound.entry
+    kinds = {role.name: role.kind for role in entry.model.roles}
+    return Equation(
+        tuple(graph.definitions),
+        {name: quantity.elements for name, quantity in values.items()},
+        {name: (rate.output, _source_of(bound, rate.by)) for name, rate in results.rates.items()},
+        {
+            name: (_source_of(bound, mapped.by), mapped.covariance.elements)
+            for name, mapped in results.covariances.items()
+        },
+        tuple(bound.arguments.sources.values()),
+        frozenset(
+            binding.name
+            for name, binding in entry.bindings.items()
+            if isinstance(binding, ToInput) and kinds.get(name) == "geodetic"
+        ),
+    )
 
 
 def _named_value(graph: Graph, name: str, quantity: Quantity) -> Quantity:
@@ -170,7 +209,7 @@ def _outputs(
     outputs = [_value_output(name, quantity) for name, quantity in values.items()]
     first = next(iter(results.outputs))
     sources = bound.arguments.sources
-    primary = _jacobian(graph, values[first], sources)
+    primary = _jacobian(graph, values[first], *sources.values())
     entry = bound.entry
     layout = bound.arguments.spec.layout
     if any(source.state for source in sources.values()):
@@ -188,16 +227,20 @@ def _outputs(
             )
     for name, rate in results.rates.items():
         by = _source_of(bound, rate.by)
-        columns = _jacobian(graph, values[rate.output], {by.vertex: by})[by.vertex]
+        columns = _jacobian(graph, values[rate.output], by)[by.vertex]
         per = bound.bound.vector(rate.by).unit
         value = values[rate.output]
         quantity = Quantity(graph, tuple(row[0] for row in columns), value.unit / per, value.frame)
         outputs.append(_value_output(name, quantity))
     for name, mapped in results.covariances.items():
         by = _source_of(bound, mapped.by)
-        j = _jacobian(graph, values[first], {by.vertex: by})[by.vertex]
+        j = _jacobian(graph, values[first], by)[by.vertex]
         outputs += _sandwich(graph, name, j, mapped.covariance, values[first])
     return tuple(outputs)
+
+
+def _jacobian(graph: Graph, value: Quantity, *sources: Source) -> dict[str, Matrix]:
+    return jacobian(graph, value.elements, {source.vertex: source.size for source in sources})
 
 
 def _value_output(name: str, quantity: Quantity) -> DerivedOutput:
@@ -262,167 +305,6 @@ def _argument_order(spec: Spec, bound: BoundEntry) -> Iterable[str]:
     ordered = [name for name in spec.inputs if name in used]
     yield from (name for name in ordered if not used[name].item)
     yield from (name for name in ordered if used[name].item)
-
-
-# -- elimination -------------------------------------------------------------------------------
-
-
-def _jacobian(
-    graph: Graph, value: Quantity, sources: Mapping[str, Source]
-) -> dict[str, Matrix]:
-    """Derivatives of a value by every source, through the cheapest of a few orders."""
-    edges = _reachable_edges(graph, value)
-    inner = [name for name in graph.vertices if name in edges and graph.vertices[name].partials]
-    # Forward, backward, and (None) always the vertex that makes the fewest products next.
-    trials = [_eliminate(graph, edges, order) for order in (inner, inner[::-1], None)]
-    best = min(trials, key=lambda trial: trial.cost)
-    graph.adopt(best.definitions)
-    rows = value.size
-    return {
-        name: best.edges[_TARGET].get(name, tuple((ZERO,) * source.size for _ in range(rows)))
-        for name, source in sources.items()
-    }
-
-
-_TARGET = "the value"
-
-
-def _reachable_edges(graph: Graph, value: Quantity) -> dict[str, dict[str, Matrix]]:
-    """Partials of every vertex the value depends on, keyed by vertex and parent."""
-    edges = {_TARGET: graph.local_partials(value.elements)}
-    waiting = list(edges[_TARGET])
-    while waiting:
-        name = waiting.pop()
-        if name not in edges:
-            edges[name] = dict(graph.vertices[name].partials)
-            waiting += edges[name]
-    return edges
-
-
-@dataclass
-class _Trial:
-    """One elimination: the edges left, the names given and what they cost."""
-
-    graph: Graph
-    edges: dict[str, dict[str, Matrix]]
-    definitions: list[Definition] = field(default_factory=list)
-    cost: int = 0
-    _known: dict[sp.Expr, sp.Expr] = field(default_factory=dict)
-    _items: set[sp.Symbol] = field(default_factory=set)
-    _taken: set[str] = field(default_factory=set)
-
-    def atom(self, name: str, expression: sp.Expr) -> sp.Expr:
-        """The expression itself when it is as good as a symbol, otherwise its name."""
-        if _is_atomic(expression):
-            return expression
-        if expression in self._known:
-            return self._known[expression]
-        if -expression in self._known:
-            return -self._known[-expression]
-        item = self.graph.is_item(expression) or not self._items.isdisjoint(
-            expression.free_symbols
-        )
-        symbol = sp.Symbol(self.graph.free_name(name, self._taken))
-        self._known[expression] = symbol
-        if item:
-            self._items.add(symbol)
-        self.definitions.append(Definition(symbol, expression, item))
-        self.cost += operations(expression) * (ITEM_WEIGHT if item else 1)
-        return symbol
-
-
-def _eliminate(
-    graph: Graph, edges: Mapping[str, Mapping[str, Matrix]], order: Sequence[str] | None
-) -> _Trial:
-    trial = _Trial(graph, {name: dict(parents) for name, parents in edges.items()})
-    trial._known.update({d.expression: d.symbol for d in graph.definitions})
-    for name, parents in trial.edges.items():
-        for parent, matrix in parents.items():
-            parents[parent] = _name_entries(trial, name, parent, matrix)
-    remaining = list(order) if order is not None else _inner(graph, trial.edges)
-    while remaining:
-        vertex = remaining.pop(0) if order is not None else _pop_cheapest(trial, remaining)
-        _eliminate_vertex(trial, vertex)
-    return trial
-
-
-def _inner(graph: Graph, edges: Mapping[str, Mapping[str, Matrix]]) -> list[str]:
-    return [name for name in edges if name != _TARGET and graph.vertices[name].partials]
-
-
-def _pop_cheapest(trial: _Trial, remaining: list[str]) -> str:
-    best = min(remaining, key=lambda name: _growth(trial, name))
-    remaining.remove(best)
-    return best
-
-
-def _growth(trial: _Trial, name: str) -> int:
-    """Products that eliminating a vertex now would make."""
-    inward = sum(_non_trivial(matrix) for matrix in trial.edges[name].values())
-    outward = sum(
-        _non_trivial(parents[name]) for parents in trial.edges.values() if name in parents
-    )
-    return inward * outward
-
-
-def _non_trivial(matrix: Matrix) -> int:
-    return sum(1 for row in matrix for e in row if not e.is_number)
-
-
-def _eliminate_vertex(trial: _Trial, vertex: str) -> None:
-    parents = trial.edges.pop(vertex)
-    for successor, edges in trial.edges.items():
-        if vertex not in edges:
-            continue
-        outer = edges.pop(vertex)
-        for parent, inner in parents.items():
-            chained = product(outer, inner)
-            if parent in edges:
-                chained = tuple(
-                    tuple(a + b for a, b in zip(r, s, strict=True))
-                    for r, s in zip(edges[parent], chained, strict=True)
-                )
-            edges[parent] = _name_entries(trial, successor, parent, chained)
-
-
-def _name_entries(trial: _Trial, child: str, parent: str, matrix: Matrix) -> Matrix:
-    stem = f"{_label(child)}_by_{_label(parent)}"
-    rows = element_names("", len(matrix)) if len(matrix) > 1 else ("",)
-    columns = element_names("", len(matrix[0])) if len(matrix[0]) > 1 else ("",)
-    return tuple(
-        tuple(trial.atom(f"{stem}{r}{c}", e) for c, e in zip(columns, row, strict=True))
-        for r, row in zip(rows, matrix, strict=True)
-    )
-
-
-def _label(vertex: str) -> str:
-    if vertex == _TARGET:
-        return "value"
-    return vertex.removeprefix("error of ").replace(" ", "_")
-
-
-def _is_atomic(e: sp.Expr) -> bool:
-    """A number, a symbol, or a number times a symbol."""
-    if e.is_Symbol or e.is_number:
-        return True
-    return bool(e.is_Mul and len(e.args) == 2 and e.args[0].is_number and e.args[1].is_Symbol)
-
-
-# -- counting and pruning ----------------------------------------------------------------------
-
-
-def operations(expression: sp.Expr) -> int:
-    """Arithmetic operations of an expression as it stands; signs are free inside sums."""
-    count = 0
-    for node in sp.preorder_traversal(expression):
-        if node.is_Add:
-            count += len(node.args) - 1
-        elif node.is_Mul:
-            factors = len(node.args) - (1 if node.args[0] == -1 else 0)
-            count += max(factors - 1, 0)
-        elif node.is_Pow or node.is_Function:
-            count += 1
-    return count
 
 
 def _count(definitions: Iterable[Definition], *, item: bool) -> int:
