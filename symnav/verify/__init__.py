@@ -1,0 +1,1 @@
+"""Verification: witnesses that differentiate on their own, references from the book, proof sheet."""

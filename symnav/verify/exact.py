@@ -1,0 +1,251 @@
+"""Fifty-digit truth: the undifferentiated equation, and its central differences on the manifold.
+
+Nothing here reads the structured derivation or its Jacobian. The equation's own definitions are
+evaluated with 50 digits at a state moved by ``retraction.retract``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+from mpmath import mp
+
+from symnav.binding import STATE, Source
+from symnav.blocks import HeadingBlock, RotationBlock, frame_map
+from symnav.blocks.heading import AXES
+from symnav.derive import Derivation
+from symnav.spec.records import Spec
+from symnav.verify import closures
+from symnav.verify.numbers import ManyDigits
+from symnav.verify.retraction import Vector, retract, rotation_entries
+
+DIGITS = 50
+#: Step of the central differences: truncation 1e-36, rounding 1e-32 of a unit-sized derivative.
+STEP = mp.mpf(10) ** -18
+
+Arguments = Mapping[str, Sequence[Any]]
+
+
+@dataclass(frozen=True)
+class _Step:
+    symbol: sp.Symbol
+    value: closures.Closure
+    frozen: bool
+
+
+class Exact:
+    """One equation with fifty digits.
+
+    Args:
+        spec: for the layout and the inputs.
+        derivation: only its undifferentiated equation and origins are used.
+    """
+
+    def __init__(self, spec: Spec, derivation: Derivation) -> None:
+        self._spec = spec
+        self._derivation = derivation
+        equation = derivation.equation
+        system = ManyDigits()
+        wanted: set[sp.Basic] = set().union(
+            *(e.free_symbols for elements in equation.outputs.values() for e in elements),
+            *(e.free_symbols for _, es in equation.covariances.values() for e in es),
+        )
+        steps = []
+        for definition in reversed(equation.definitions):
+            if definition.symbol in wanted:
+                wanted |= definition.expression.free_symbols
+                value = closures.closure(definition.expression, system)
+                steps.append(_Step(definition.symbol, value, definition.frozen))
+        self._steps = steps[::-1]
+        self._outputs = {
+            name: [closures.closure(e, system) for e in elements]
+            for name, elements in equation.outputs.items()
+        }
+        self._covariances = {
+            name: [closures.closure(e, system) for e in elements]
+            for name, (_, elements) in equation.covariances.items()
+        }
+        self._moving = [o for s, o in derivation.origins.items() if s in wanted]
+
+    def outputs(self, arguments: Arguments) -> dict[str, Vector]:
+        """Every output at the arguments given (one item), Jacobians by differences.
+
+        Args:
+            arguments: stored elements by argument name, as mpmath numbers; of one item.
+
+        Returns:
+            elements by output name, Jacobians row-major.
+        """
+        equation = self._derivation.equation
+        held = self._held(arguments)
+        results = self._values(arguments, held)
+        first = next(iter(equation.outputs))
+        for output in self._derivation.outputs:
+            if output.kind == "jacobian":
+                results[output.name] = self._jacobian(arguments, held, first, output.by)
+        for name, (source_output, source) in equation.rates.items():
+            results[name] = self._column(arguments, held, source_output, source, 0)
+        for name, (source, _) in equation.covariances.items():
+            covariance = [f(self._environment(arguments, held)) for f in self._covariances[name]]
+            columns = [
+                self._column(arguments, held, first, source, j) for j in range(source.size)
+            ]
+            results[name] = _sandwich(columns, covariance)
+        return results
+
+    def values(self, arguments: Arguments) -> dict[str, Vector]:
+        """The outputs that need no derivative."""
+        return self._values(arguments, self._held(arguments))
+
+    def _values(self, arguments: Arguments, held: Mapping[sp.Symbol, Any]) -> dict[str, Vector]:
+        env = self._environment(arguments, held)
+        return {name: [f(env) for f in elements] for name, elements in self._outputs.items()}
+
+    def _held(self, arguments: Arguments) -> dict[sp.Symbol, Any]:
+        """Values the conventions freeze at the nominal state."""
+        env = self._loads(arguments)
+        for step in self._steps:
+            env[step.symbol] = step.value(env)
+        return {step.symbol: env[step.symbol] for step in self._steps if step.frozen}
+
+    def _environment(
+        self, arguments: Arguments, held: Mapping[sp.Symbol, Any]
+    ) -> dict[sp.Symbol, Any]:
+        env = self._loads(arguments)
+        env.update(held)
+        for step in self._steps:
+            if not step.frozen:
+                env[step.symbol] = step.value(env)
+        return env
+
+    def _loads(self, arguments: Arguments) -> dict[sp.Symbol, Any]:
+        env = {}
+        for symbol, origin in self._derivation.origins.items():
+            if origin.argument in arguments:
+                index = origin.index
+                if origin.slot is not None:
+                    index += int(arguments[self._derivation.origins[origin.slot].argument][0])
+                env[symbol] = arguments[origin.argument][index]
+        return env
+
+    def _jacobian(
+        self, arguments: Arguments, held: Mapping[sp.Symbol, Any], output: str, by: str
+    ) -> Vector:
+        """Row-major derivative by the error of the state, or of the input ``by``."""
+        rows = len(self._outputs[output])
+        layout = self._spec.layout
+        width = layout.error_size
+        if by:
+            (source,) = [s for s in self._derivation.equation.sources if s.name == by]
+            columns = [
+                self._column(arguments, held, output, source, j) for j in range(source.size)
+            ]
+            return [columns[j][i] for i in range(rows) for j in range(source.size)]
+        zero = mp.mpf(0)
+        dense = [[zero] * width for _ in range(rows)]
+        for place in layout.places.values():
+            if not self._touches(place.start, place.block.storage_size):
+                continue
+            source = Source("", place.block.name, True, place.error_start, place.block.error_size)
+            for j in range(source.size):
+                column = self._column(arguments, held, output, source, j)
+                for i in range(rows):
+                    dense[i][source.start + j] = column[i]
+        return [e for row in dense for e in row]
+
+    def _touches(self, start: int, size: int) -> bool:
+        """True when the equation reads any element of a block."""
+        for origin in self._moving:
+            if origin.argument != STATE:
+                continue
+            reach = range(origin.index, origin.index + 1)
+            if origin.slot is not None or start <= reach.start < start + size:
+                return True
+        return False
+
+    def _column(
+        self,
+        arguments: Arguments,
+        held: Mapping[sp.Symbol, Any],
+        output: str,
+        source: Source,
+        j: int,
+    ) -> Vector:
+        ends = []
+        for step in (STEP, -STEP):
+            moved = self._moved(arguments, source, j, step)
+            env = self._environment(moved, held)
+            ends.append([f(env) for f in self._outputs[output]])
+        return [(a - b) / (2 * STEP) for a, b in zip(*ends, strict=True)]
+
+    def _moved(self, arguments: Arguments, source: Source, j: int, step: Any) -> Arguments:
+        d = [mp.mpf(0)] * (source.size if source.slot is None else 1)
+        d[j] = step
+        if not source.state:
+            block = self._spec.inputs[source.name].block
+            x = list(arguments[source.name])
+            raw = source.name in self._derivation.equation.raw
+            y = [a + b for a, b in zip(x, d, strict=True)] if raw else retract(
+                block, x, d, lambda s, t: self._matrix(arguments, s, t)
+            )  # fmt: skip
+            return {**arguments, source.name: y}
+        place = self._spec.layout.places[source.name]
+        x = list(arguments[STATE])
+        d = [mp.mpf(0)] * place.block.error_size
+        d[j] = step
+        x[place.storage] = retract(
+            place.block, x[place.storage], d, lambda s, t: self._matrix(arguments, s, t)
+        )
+        return {**arguments, STATE: x}
+
+    def _matrix(self, arguments: Arguments, source: str, target: str) -> Vector:
+        """The rotation between two frames at the nominal state, from a block or an input."""
+        for block, x in self._rotations(arguments):
+            ends = frame_map(block.maps)
+            if set(ends) != {source, target}:
+                continue
+            m = (
+                rotation_entries(block, x)
+                if isinstance(block, RotationBlock)
+                else _heading_entries(block, x[0])
+            )
+            return m if ends[0] == source else [m[3 * j + i] for i in range(3) for j in range(3)]
+        raise AssertionError(f"no rotation between {source} and {target}")
+
+    def _rotations(
+        self, arguments: Arguments
+    ) -> list[tuple[RotationBlock | HeadingBlock, Sequence[Any]]]:
+        found: list[tuple[RotationBlock | HeadingBlock, Sequence[Any]]] = []
+        for place in self._spec.layout.places.values():
+            if isinstance(place.block, (RotationBlock, HeadingBlock)) and STATE in arguments:
+                found.append((place.block, list(arguments[STATE])[place.storage]))
+        for name, declared in self._spec.inputs.items():
+            if isinstance(declared.block, (RotationBlock, HeadingBlock)) and name in arguments:
+                found.append((declared.block, arguments[name]))
+        return found
+
+
+def _heading_entries(block: HeadingBlock, angle: Any) -> Vector:
+    """R_axis(angle) column by column: e_i cos + e_axis x e_i sin."""
+    axis = AXES.index(block.axis)
+    m = [mp.mpf(0)] * 9
+    i, j = (axis + 1) % 3, (axis + 2) % 3
+    m[4 * axis] = mp.mpf(1)
+    m[4 * i] = m[4 * j] = mp.cos(angle)
+    m[3 * j + i] = mp.sin(angle)
+    m[3 * i + j] = -mp.sin(angle)
+    return m
+
+
+def _sandwich(columns: Sequence[Vector], covariance: Vector) -> Vector:
+    """J P J^T from the columns of J, row-major."""
+    size, rows = len(columns), len(columns[0])
+    j = [[columns[k][i] for k in range(size)] for i in range(rows)]
+    p = [covariance[k * size : (k + 1) * size] for k in range(size)]
+    half = [[sum(j[i][k] * p[k][m] for k in range(size)) for m in range(size)] for i in range(rows)]
+    return [
+        sum(half[i][m] * j[n][m] for m in range(size)) for i in range(rows) for n in range(rows)
+    ]
