@@ -33,7 +33,7 @@ KEPLERIAN = {
     "argument_of_perigee": "-0.7654",
     "af0": "-1.5e-4",
     "af1": "2.3e-12",
-    "af2": "0",
+    "af2": "4e-17",
     "group_delay": "-1.1e-8",
 }
 PERTURBED = KEPLERIAN | {
@@ -112,20 +112,52 @@ def test_velocity() -> None:
     assert 3800 < speed < 3950
 
 
-def test_harmonic_corrections() -> None:
-    """Each pair displaces the satellite along its own direction, by the amount that it states."""
-    t = mpf(309600)
+@pytest.mark.parametrize(
+    ("rate", "base"),
+    [("mean_motion_difference", "mean_anomaly"), ("inclination_rate", "inclination")],
+)
+def test_rates_move_their_elements(rate: str, base: str) -> None:
+    """After a time an element is what it was, plus rate times time."""
+    t, size = mpf(309600), mpf("3e-9")
+    moved = mpf(KEPLERIAN[base]) + size * (t - mpf(KEPLERIAN["toe"]))
+    by_rate = value({**quantities(KEPLERIAN, t), rate: vector([size])}, {})
+    by_element = value({**quantities(KEPLERIAN, t), base: vector([moved])}, {})
+    assert far(by_rate["position"], by_element["position"]) < mpf("1e-40")
+
+
+def test_right_ascension_rate_turns_the_plane() -> None:
+    """The drift of the node is a rotation about the pole, against that of the Earth."""
+    t, rate = mpf(309600), mpf("-8e-9")
     plain = value(quantities(KEPLERIAN, t), {})["position"]
-    radial = scale(1 / length(plain), plain)
-    moved = {
-        name: subtract(value(quantities(KEPLERIAN | {name: size}, t), {})["position"], plain)
-        for name, size in (("crc", "100"), ("crs", "100"), ("cuc", "1e-6"), ("cus", "1e-6"))
+    drifted = value({**quantities(KEPLERIAN, t), "right_ascension_rate": vector([rate])}, {})
+    angle = rate * (t - mpf(KEPLERIAN["toe"]))
+    assert far(drifted["position"], sandwich(about("z", angle), plain)) < mpf("1e-40")
+
+
+@pytest.mark.parametrize("family", ["cu", "cr", "ci"])
+@pytest.mark.parametrize(("eighths", "cosine", "sine"), [(0, 1, 0), (1, 0, 1), (2, -1, 0)])
+def test_harmonic_corrections(family: str, eighths: int, cosine: int, sine: int) -> None:
+    """At 0, 45 and 90 degrees from the node the twice-per-orbit terms act in full or not at all."""
+    toe, zero = mpf(KEPLERIAN["toe"]), mpf(0)
+    latitude = eighths * mp.pi / 4
+    size = mpf(100) if family == "cr" else mpf("1e-5")
+    circular = quantities(KEPLERIAN, toe) | {
+        "eccentricity": vector([zero]),
+        "mean_anomaly": vector([latitude + 1]),
+        "argument_of_perigee": vector([mpf(-1)]),
     }
-    assert abs(mp.hypot(dot(moved["crc"], radial), dot(moved["crs"], radial)) - 100) < mpf("1e-30")
-    assert length(cross(moved["crc"], radial)) < mpf("1e-40")
-    along = mp.hypot(length(moved["cuc"]), length(moved["cus"]))
-    assert abs(along / (length(plain) * mpf("1e-6")) - 1) < mpf("1e-10")
-    assert abs(dot(moved["cus"], radial)) < mpf("2e-5")
+    plain = value(circular, {})["position"]
+    for letter, factor in (("c", cosine), ("s", sine)):
+        moved = value({**circular, family + letter: vector([size])}, {})["position"]
+        if family == "cr":
+            expected = scale(1 + factor * size / length(plain), plain)
+        elif family == "cu":
+            along = circular | {"argument_of_perigee": vector([factor * size - 1])}
+            expected = value(along, {})["position"]
+        else:
+            tilted = mpf(KEPLERIAN["inclination"]) + factor * size
+            expected = value(circular | {"inclination": vector([tilted])}, {})["position"]
+        assert far(moved, expected) < mpf("1e-40")
 
 
 def test_gravitation_of_the_other_system() -> None:
@@ -143,7 +175,7 @@ def test_clock() -> None:
     v = [row[0] for row in derivative(lambda s: inertial(KEPLERIAN, s[0], "gps"), [t])]
     elapsed = t - mpf(KEPLERIAN["toc"])
     relativity = -2 * dot(r, v) / exact(LIGHT_SPEED) ** 2
-    polynomial = mpf("-1.5e-4") + mpf("2.3e-12") * elapsed
+    polynomial = mpf("-1.5e-4") + mpf("2.3e-12") * elapsed + mpf("4e-17") * elapsed**2
     expected = polynomial + relativity + mpf("1.1e-8")
     assert abs(outputs["clock"][0] - expected) < abs(relativity) * mpf("2e-10")
     assert abs(outputs["clock_rate"][0] - mpf("2.3e-12")) < mpf("1e-11")
