@@ -14,7 +14,7 @@ import sympy as sp
 
 from symnav.blocks.base import Block, Nominal, Value, frame_map
 from symnav.frames import rotations
-from symnav.graph import ONE, Graph, Guard, Matrix, Row, identity
+from symnav.graph import ONE, Graph, Guard, Matrix, Row, identity, product, rows_of
 from symnav.quantities import Rotation
 
 CONVENTIONS = ("right", "left", "left_negative", "right_negative", "rotation_vector", "storage")
@@ -96,6 +96,8 @@ class RotationBlock(Block):
     def retract(self, graph: Graph, x: Row, d: Row, nominal: Nominal) -> Row:
         if self.error == "storage":
             return tuple(a + b for a, b in zip(x, d, strict=True))
+        if self.storage == "dcm":
+            return self._retract_matrix(graph, x, d)
         q = self.to_wxyz(x)
         if self.error == "rotation_vector":
             theta = rotations.logarithm(graph, f"{self.name}_log", q)
@@ -128,6 +130,20 @@ class RotationBlock(Block):
             graph, f"{self.name}_log", rotations.quaternion_product(*pair)
         )
         return tuple(self._sign * e for e in theta)
+
+    def _retract_matrix(self, graph: Graph, x: Row, d: Row) -> Row:
+        """A stored matrix times the matrix of the step, on the side of the convention."""
+        signed = tuple(self._sign * e for e in d)
+        q = graph.define(
+            f"{self.name}_step",
+            rotations.exponential(graph, f"{self.name}_exp", signed),
+            suffixes=tuple("wxyz"),
+        )
+        step = rows_of(rotations.homogeneous_entries(q), 3)
+        before = rows_of(x, 3)
+        left = self.error.startswith("left")
+        moved = product(step, before) if left else product(before, step)
+        return tuple(e for row in moved for e in row)
 
     def to_wxyz(self, x: Row) -> Row:
         """Stored elements in the order w, x, y, z."""
