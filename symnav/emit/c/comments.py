@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import re
 import textwrap
 
 WIDTH = 100
+
+_GLUE = "\0"  # a space where a line must not break
+_OPERATOR = re.compile(r" ([-+*/<?:]|<=|&&|\|\||=) ")
 
 
 def harmless(text: str) -> str:
@@ -36,20 +40,68 @@ def paragraph(text: str, *, lead: str = " * ", hang: str = "") -> list[str]:
     return [f"{lead}{line}".rstrip() for line in lines]
 
 
+def tagged(tag: str, text: str) -> list[str]:
+    """A Doxygen command and its text, wrapped."""
+    first, *rest = paragraph(text, lead=" " * (len(tag) + 4)) or [""]
+    return [f" * {tag} {first.strip()}".rstrip(), *(f" *{line[2:]}" for line in rest)]
+
+
 def code(text: str, depth: int = 1, remark: str = "") -> list[str]:
     """One statement on as many lines as it needs, with a remark after it or above it."""
     indent = "    " * depth
-    lines = textwrap.wrap(
-        text,
-        width=WIDTH,
-        initial_indent=indent,
-        subsequent_indent=indent + "    ",
-        break_long_words=False,
-        break_on_hyphens=False,
-    )
+    lines = _broken(text, indent)
     note = aside(remark)
     if not note:
         return lines
     if len(lines) == 1 and len(lines[0]) + 2 + len(note) <= WIDTH:
         return [f"{lines[0]}  {note}"]
-    return [indent + note, *lines]
+    return [*(f"{indent}{line}" for line in _wrapped_aside(remark, len(indent))), *lines]
+
+
+def _wrapped_aside(remark: str, indent: int) -> list[str]:
+    """A comment on as many lines as it needs."""
+    lines = textwrap.wrap(harmless(remark), width=WIDTH - indent - 6)
+    lines[0] = f"/* {lines[0]}"
+    lines[-1] = f"{lines[-1]} */"
+    return [lines[0], *(f"   {line}" for line in lines[1:])]
+
+
+def _broken(text: str, indent: str) -> list[str]:
+    """Break a statement at its outermost operators and commas, and inside only where it must."""
+    deepest = max(_depths(text), default=0)
+    lines: list[str] = []
+    for depth in range(deepest + 1):
+        lines = textwrap.wrap(
+            _glued(text, depth),
+            width=WIDTH,
+            initial_indent=indent,
+            subsequent_indent=indent + "    ",
+            break_long_words=False,
+            break_on_hyphens=False,
+        )
+        if all(len(line) <= WIDTH for line in lines):
+            break
+    return [line.replace(_GLUE, " ") for line in lines]
+
+
+def _glued(text: str, depth: int) -> str:
+    """The text with some spaces made unbreakable.
+
+    These are the ones in an index, nested deeper than a depth, or in front of an operator.
+    """
+    ends_line = _OPERATOR.sub(lambda match: _GLUE + match.group(1) + " ", text)
+    spaces = zip(ends_line, _depths(ends_line), strict=True)
+    return "".join(
+        _GLUE if character == " " and nesting > depth else character
+        for character, nesting in spaces
+    )
+
+
+def _depths(text: str) -> list[int]:
+    """How many parentheses are open at every character; an index counts as very deep."""
+    depths: list[int] = []
+    nesting = 0
+    for character in text:
+        nesting += {"(": 1, "[": 99, "]": -99, ")": -1}.get(character, 0)
+        depths.append(nesting)
+    return depths

@@ -45,10 +45,10 @@ _LIBRARY = {
 
 # Operations C99 has no operator or fast function for; each is an inline helper of the check file.
 HELPERS = {
-    Operation.MIN: "min",
-    Operation.MAX: "max",
-    Operation.EQ: "equal",
-    Operation.NE: "equal",
+    Operation.MIN: "smaller_of",
+    Operation.MAX: "larger_of",
+    Operation.EQ: "is_equal",
+    Operation.NE: "is_equal",
 }
 
 
@@ -149,7 +149,7 @@ def _(expression: ir.Call, scope: Scope) -> Text:
     if operation is Operation.SELECT:
         condition, chosen, otherwise = (operand.operand for operand in operands)
         return Text(f"{condition} ? {chosen} : {otherwise}", Level.CHOICE)
-    helper = _invoke(f"{scope.target.prefix}_{HELPERS[operation]}", operands)
+    helper = _invoke(HELPERS[operation], operands)
     return Text(f"!{helper.text}", Level.SIGN) if operation is Operation.NE else helper
 
 

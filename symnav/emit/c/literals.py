@@ -26,11 +26,9 @@ def literal(value: float, scalar: ir.Scalar) -> str:
     if scalar is ir.Scalar.DOUBLE:
         return _with_point(repr(float(value)))
     nearest = _to_float(value)
-    for digits in range(1, 10):
-        text = f"{nearest:.{digits}g}"
-        if _to_float(float(text)) == nearest:
-            break
-    return _with_point(_plain(text)) + "F"
+    texts = (f"{nearest:.{digits}g}" for digits in range(1, 10))
+    shortest = next(text for text in texts if _reads_as(text, nearest))
+    return _with_point(_plain(shortest)) + "F"
 
 
 def bounds(lower: float, upper: float, scalar: ir.Scalar) -> tuple[str, str]:
@@ -63,6 +61,13 @@ def _to_float(value: float) -> float:
             f"the constant {value!r} does not fit a 32-bit float; generate this function in double"
         ) from None
     return float(nearest)
+
+
+def _reads_as(text: str, nearest: float) -> bool:
+    try:
+        return _to_float(float(text)) == nearest
+    except errors.InputError:  # rounded up, past the largest float
+        return False
 
 
 def _up(value: float) -> float:

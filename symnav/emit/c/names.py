@@ -5,31 +5,26 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-_KEYWORDS = frozenset(
-    """
-    auto break case char const continue default do double else enum extern float for goto if
-    inline int long register restrict return short signed sizeof static struct switch typedef
-    union unsigned void volatile while bool true false null asm typeof
-    alignas alignof and and_eq bitand bitor catch class compl constexpr delete explicit export
-    friend mutable namespace new noexcept not not_eq nullptr operator or or_eq private protected
-    public template this throw try typeid typename using virtual xor xor_eq
-    """.split()
+from symnav import naming
+
+# Types of <stdint.h> and <stddef.h>, and functions that -Wshadow knows without a declaration.
+_OTHER = frozenset(
+    (
+        *("int32_t", "uint32_t", "uint8_t", "size_t", "ptrdiff_t"),
+        *("index", "time", "signal", "main", "exp10", "pow10", "sincos", "remove", "rename"),
+    )
 )
 
-# Functions and macros of <math.h> and types of <stdint.h>, and the compilers' built-in names that
-# -Wshadow reports.
-_LIBRARY = frozenset(
-    """
-    acos asin atan atan2 cos sin tan cosh sinh tanh acosh asinh atanh exp exp2 expm1 frexp ilogb
-    ldexp log log10 log1p log2 logb modf scalbn scalbln cbrt fabs hypot pow sqrt erf erfc lgamma
-    tgamma ceil floor nearbyint rint lrint llrint round lround llround trunc fmod remainder remquo
-    copysign nan nextafter nexttoward fdim fmax fmin fma gamma signgam j0 j1 jn y0 y1 yn div abs
-    infinity huge_val int32_t uint32_t uint8_t size_t ptrdiff_t index time signal stdin stdout main
-    drem significand finite isnan isinf isfinite signbit exp10 pow10 sincos
-    """.split()
+RESERVED = frozenset(
+    name.lower()
+    for name in (
+        *naming.C_KEYWORDS,
+        *naming.CPP_KEYWORDS,
+        *naming.MATH_NAMES,
+        *naming.C_MACROS,
+        *_OTHER,
+    )
 )
-
-RESERVED = _KEYWORDS | _LIBRARY | frozenset(f"{name}f" for name in _LIBRARY)
 
 
 class Names:

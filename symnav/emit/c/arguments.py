@@ -1,0 +1,70 @@
+"""Arguments whose names the entry points need themselves get another name in the C."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import TypeVar
+
+from symnav import ir
+from symnav.emit.c.names import Names
+
+# Parameters and locals of the entry points and of the functions they call.
+LOCALS = frozenset(
+    """
+    base block common count covariance dense epoch epochs evaluated failed first i in item
+    item_status k lane loaded matrix minus n nonzeros out outcome outside own reference rest result
+    row shared sigma skewed status stride
+    """.split()  # noqa: SIM905 - a table of words reads better than a list of literals
+)
+
+Holder = TypeVar("Holder", bound=ir.Step | ir.Entry)
+
+
+def with_free_names(function: ir.Function) -> ir.Function:
+    """The function with every argument's name usable beside the locals and the outputs."""
+    outputs = {output.name for output in function.outputs}
+    outputs |= {f"{name}_nz" for name in outputs}
+    given = [argument.name for argument in function.arguments]
+    steps = {f"{name}_step" for name in given}
+    names = Names(LOCALS | outputs | steps)
+    renamed = {name: names.claim(name) for name in given}
+    if all(new == old for old, new in renamed.items()):
+        return function
+    return replace(
+        function,
+        arguments=tuple(
+            replace(argument, name=renamed[argument.name]) for argument in function.arguments
+        ),
+        shared=tuple(_holder(step, renamed) for step in function.shared),
+        item=tuple(_holder(step, renamed) for step in function.item),
+        outputs=tuple(
+            replace(output, entries=tuple(_entry(entry, renamed) for entry in output.entries))
+            for output in function.outputs
+        ),
+    )
+
+
+def _holder(holder: Holder, renamed: Mapping[str, str]) -> Holder:
+    return replace(holder, value=_expression(holder.value, renamed))
+
+
+def _entry(entry: ir.Entry, renamed: Mapping[str, str]) -> ir.Entry:
+    index = tuple(
+        replace(step, slot=_load(step.slot, renamed)) if isinstance(step, ir.Offset) else step
+        for step in entry.index
+    )
+    return replace(_holder(entry, renamed), index=index)
+
+
+def _expression(expression: ir.Expression, renamed: Mapping[str, str]) -> ir.Expression:
+    if isinstance(expression, ir.Load):
+        return _load(expression, renamed)
+    if isinstance(expression, ir.Call):
+        operands = tuple(_expression(operand, renamed) for operand in expression.operands)
+        return replace(expression, operands=operands)
+    return expression
+
+
+def _load(load: ir.Load, renamed: Mapping[str, str]) -> ir.Load:
+    return replace(load, argument=renamed[load.argument])

@@ -1,0 +1,105 @@
+"""From a module to the files of its C tree."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+
+from symnav import errors, ir
+from symnav.emit.c.arguments import with_free_names
+from symnav.emit.c.documentation import banner
+from symnav.emit.c.entry_points import Single
+from symnav.emit.c.header import Section, functions_header, types_header
+from symnav.emit.c.kernel import Kernel
+from symnav.emit.c.mapped import Mapped
+from symnav.emit.c.target import Target, target_of
+from symnav.emit.templates import render
+
+# Order of the inline helpers in the check file: what is called stands in front of its caller.
+_HELPERS = (
+    "first_failure",
+    "is_within",
+    "is_outside",
+    "take_value",
+    "is_index_outside",
+    "take_index",
+    "is_skewed_quaternion",
+    "is_skewed_matrix",
+    "is_equal",
+    "smaller_of",
+    "larger_of",
+)
+
+
+def emit(module: ir.Module) -> dict[str, str]:
+    """Render the C tree of a module.
+
+    Args:
+        module: functions of one scalar type.
+
+    Returns:
+        Text by path: two headers below ``c/include/<prefix>/``; the helpers, and for every
+        function its kernel and its entry points, below ``c/src/``.
+
+    Raises:
+        InputError: when two functions would share a symbol, or a constant does not fit the type.
+    """
+    target = target_of(module)
+    kernels = [
+        Kernel(target, with_free_names(function), f"{target.prefix}_{function.name}")
+        for function in module.functions
+    ]
+    sources = [Mapped(kernel) if kernel.mapped else Single(kernel) for kernel in kernels]
+    sections = [Section(source.kernel, source.entry_points()) for source in sources]
+    _refuse_collisions(sections)
+    include, src = f"c/include/{target.prefix}", "c/src"
+    files = {
+        f"{include}/{target.prefix}_types.h": types_header(module, target),
+        f"{include}/{target.prefix}.h": functions_header(module, target, sections),
+        f"{src}/{target.prefix}_check.h": _check_header(module, target, kernels),
+    }
+    for source in sources:
+        symbol, title = source.kernel.symbol, source.kernel.function.title
+        files[f"{src}/{symbol}_kernel.h"] = _kernel_header(module, source.kernel)
+        lead = banner(module, f"{symbol}.c", f"{title}: entry points.")
+        files[f"{src}/{symbol}.c"] = source.source(lead)
+    return files
+
+
+def _kernel_header(module: ir.Module, kernel: Kernel) -> str:
+    title = kernel.function.title
+    return render(
+        "c/kernel.h.j2",
+        banner=banner(module, f"{kernel.symbol}_kernel.h", f"{title}: kernel."),
+        target=kernel.target,
+        symbol=kernel.symbol,
+        structs=kernel.structs,
+        routines=kernel.routines(),
+    )
+
+
+def _check_header(module: ir.Module, target: Target, kernels: Sequence[Kernel]) -> str:
+    wanted = {"first_failure"}.union(*(kernel.helpers() for kernel in kernels))
+    if any(kernel.function.single_difference and kernel.function.guarded for kernel in kernels):
+        wanted.add("is_outside")
+    if wanted & {"take_value", "is_outside"}:
+        wanted.add("is_within")
+    brief = "Guards and helpers that the kernels share."
+    return render(
+        "c/check.h.j2",
+        banner=banner(module, f"{target.prefix}_check.h", brief),
+        target=target,
+        helpers=[f"c/helpers/{helper}.j2" for helper in _HELPERS if helper in wanted],
+        one=target.literal(1.0),
+        fabs=target.function("fabs"),
+    )
+
+
+def _refuse_collisions(sections: Sequence[Section]) -> None:
+    """Two entry points of one name would be one function to the linker."""
+    counter = Counter(entry.symbol for section in sections for entry in section.entries)
+    repeated = sorted(symbol for symbol, count in counter.items() if count > 1)
+    if repeated:
+        raise errors.InputError(
+            f"two functions would both define {', '.join(repeated)} in C; rename one of them"
+        )

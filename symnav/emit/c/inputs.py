@@ -1,0 +1,244 @@
+"""Inputs of a function: which elements its kernel reads, what they are called, how they load.
+
+Loading copies every element the kernel reads into a structure and checks every element that was
+declared. A copy is inside its range whatever the caller passed, so that nothing downstream sees
+a NaN, and a caller that lets an input and an output overlap by mistake cannot corrupt a result.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+
+from symnav import ir
+from symnav.emit.c import comments
+from symnav.emit.c.literals import integer_bounds
+from symnav.emit.c.names import Names, identifier
+from symnav.emit.c.pieces import Field, Routine, Struct, head
+from symnav.emit.c.target import Target
+
+INPUT_POINTER = "in"
+ITEM_POINTER = "item"
+
+# Locals and parameters of the storing functions, which also carry names of elements.
+_LOCALS = ("stride", "dense", "nonzeros", "reference", "k")
+
+
+@dataclass(frozen=True, slots=True)
+class Element:
+    """One element of an argument, with its domain and the field that holds its copy."""
+
+    argument: ir.Argument
+    domain: ir.Domain
+    index: int
+    field: str
+
+    @property
+    def load(self) -> ir.Load:
+        """What refers to it."""
+        return ir.Load(self.argument.name, self.index)
+
+    @property
+    def lower(self) -> float:
+        """Lower end of its range."""
+        return self.domain.lower[self.index - self.domain.start]
+
+    @property
+    def upper(self) -> float:
+        """Upper end of its range."""
+        return self.domain.upper[self.index - self.domain.start]
+
+    @property
+    def label(self) -> str:
+        """Its label inside the domain."""
+        return self.domain.labels[self.index - self.domain.start]
+
+
+@dataclass(frozen=True, slots=True)
+class Inputs:
+    """Every element of every argument, and which of them are copied."""
+
+    target: Target
+    name: str
+    table: Mapping[ir.Load, Element]
+    copied: frozenset[ir.Load]
+    guarded: bool
+
+    @property
+    def elements(self) -> tuple[Element, ...]:
+        """Every element, in the order of the interface."""
+        return tuple(self.table.values())
+
+    def place(self, load: ir.Load, *, pointers: bool = True) -> str:
+        """C text of the copy of an element, through a pointer or in a local structure."""
+        element = self.table[load]
+        base = ITEM_POINTER if element.argument.item else INPUT_POINTER
+        return f"{base}{'->' if pointers else '.'}{element.field}"
+
+    def struct(self, *, item: bool) -> Struct:
+        """The structure of the copies of one call, or of one item."""
+        fields = tuple(
+            Field(
+                type="int32_t" if element.argument.integer else self.target.real,
+                name=element.field,
+                remark=_where(element.domain),
+            )
+            for element in self._copied(item=item)
+        )
+        kind, scope = ("item", "one item of ") if item else ("input", "")
+        brief = f"Inputs of {scope}{self.name} as its kernel reads them"
+        state = ", each finite and inside its declared range." if self.guarded else ", unchecked."
+        return Struct(f"{self.name}_{kind}_t", brief + state, fields)
+
+    def loader(self, *, item: bool) -> Routine:
+        """The function that checks and copies the inputs of one call, or of one item."""
+        struct = self.struct(item=item)
+        pointer = ITEM_POINTER if item else INPUT_POINTER
+        arguments = [argument for argument in self.arguments if argument.item is item]
+        declarations = [self.declaration(argument) for argument in arguments]
+        if struct:
+            declarations.append(f"{struct.name} *{pointer}")
+        name = f"{self.name}_load{'_item' if item else ''}"
+        return Routine(
+            brief=f"Check and copy the inputs of {'one item' if item else 'one call'}.",
+            head=head(f"{self.target.macro}_INLINE {self.target.status}", name, declarations),
+            body=tuple(self._loading(arguments)),
+        )
+
+    def declaration(self, argument: ir.Argument) -> str:
+        """An argument as a parameter of unspecified length."""
+        kind = "int32_t" if argument.integer else self.target.real
+        return f"const {kind} {argument.name}[]"
+
+    @property
+    def arguments(self) -> tuple[ir.Argument, ...]:
+        """The arguments, in the order of the interface."""
+        return tuple(dict.fromkeys(element.argument for element in self.elements))
+
+    def helpers(self) -> set[str]:
+        """Names of the check functions the loaders call."""
+        names: set[str] = set()
+        for element in self.elements:
+            copied = self._is_copied(element)
+            if element.argument.integer:
+                names.add("take_index" if copied else "is_index_outside")
+            elif self.guarded:
+                names.add("take_value" if copied else "is_outside")
+                if element.domain.kind in (ir.Kind.QUATERNION, ir.Kind.MATRIX):
+                    names.add(f"is_skewed_{element.domain.kind.value}")
+        return names
+
+    def _is_copied(self, element: Element) -> bool:
+        return element.load in self.copied
+
+    def _copied(self, *, item: bool) -> Iterator[Element]:
+        for element in self.elements:
+            if element.argument.item is item and self._is_copied(element):
+                yield element
+
+    def _loading(self, arguments: list[ir.Argument]) -> Iterator[str]:
+        ranged = self.guarded or any(argument.integer for argument in arguments)
+        skewed = self.guarded and any(
+            domain.kind in (ir.Kind.QUATERNION, ir.Kind.MATRIX)
+            for argument in arguments
+            for domain in argument.domains
+        )
+        if ranged and arguments:
+            yield "    uint32_t outside = 0U;"
+        if skewed:
+            yield "    uint32_t skewed = 0U;"
+        for argument in arguments:
+            for domain in argument.domains:
+                yield from self._loading_domain(argument, domain)
+        yield ""
+        yield from self._verdict(ranged=ranged and bool(arguments), skewed=skewed)
+
+    def _loading_domain(self, argument: ir.Argument, domain: ir.Domain) -> Iterator[str]:
+        lines: list[str] = []
+        for element in self.elements:
+            if element.argument is argument and element.domain is domain:
+                lines += self._loading_element(element)
+        if lines:
+            yield ""
+            yield _comment(domain)
+            yield from lines
+        if self.guarded and domain.kind in (ir.Kind.QUATERNION, ir.Kind.MATRIX):
+            yield from self._checking_norm(argument, domain)
+
+    def _loading_element(self, element: Element) -> list[str]:
+        source = f"{element.argument.name}[{element.index}]"
+        pointer = ITEM_POINTER if element.argument.item else INPUT_POINTER
+        copy = f"{pointer}->{element.field}" if self._is_copied(element) else ""
+        if element.argument.integer:
+            low, high = integer_bounds(element.lower, element.upper)
+            take, test = "take_index", "is_index_outside"
+        elif self.guarded:
+            low, high = self.target.bounds(element.lower, element.upper)
+            take, test = "take_value", "is_outside"
+        else:
+            return comments.code(f"{copy} = {source};") if copy else []
+        if copy:
+            return comments.code(f"outside |= {take}({source}, {low}, {high}, &{copy});")
+        return comments.code(f"outside |= {test}({source}, {low}, {high});")
+
+    def _checking_norm(self, argument: ir.Argument, domain: ir.Domain) -> list[str]:
+        copies = [
+            self.place(ir.Load(argument.name, index))
+            for index in range(domain.start, domain.start + domain.size)
+        ]
+        tolerance = self.target.literal(domain.tolerance)
+        test = f"is_skewed_{domain.kind.value}"
+        return comments.code(f"skewed |= {test}({', '.join([*copies, tolerance])});")
+
+    def _verdict(self, *, ranged: bool, skewed: bool) -> list[str]:
+        code = self.target.code
+        text = code(ir.Status.OK)
+        if skewed:
+            text = f"(skewed != 0U) ? {code(ir.Status.QNORM)} : {text}"
+        if ranged:
+            rest = f"({text})" if skewed else text
+            text = f"(outside != 0U) ? {code(ir.Status.RANGE)} : {rest}"
+        return comments.code(f"return {text};")
+
+
+def inputs_of(function: ir.Function, target: Target, loads: Iterable[ir.Load]) -> Inputs:
+    """Name the inputs of a function.
+
+    Args:
+        function: whose arguments they are.
+        target: the tree.
+        loads: every load of its bodies and outputs.
+    """
+    copied = set(loads)
+    names = Names(_LOCALS)
+    table: dict[ir.Load, Element] = {}
+    for argument in function.arguments:
+        for domain in argument.domains:
+            if function.guarded and domain.kind in (ir.Kind.QUATERNION, ir.Kind.MATRIX):
+                span = range(domain.start, domain.start + domain.size)
+                copied |= {ir.Load(argument.name, index) for index in span}
+            for offset in range(domain.size):
+                wish = _wish(argument, domain, offset)
+                element = Element(argument, domain, domain.start + offset, names.claim(wish))
+                table[element.load] = element
+    return Inputs(target, function.name, table, frozenset(copied), function.guarded)
+
+
+def _wish(argument: ir.Argument, domain: ir.Domain, offset: int) -> str:
+    stem = domain.name if argument.name == "x" or len(argument.domains) > 1 else argument.name
+    if domain.size == 1:
+        return identifier(stem)
+    label = domain.labels[offset]
+    return identifier(f"{stem}_{label if label.strip() else offset}")
+
+
+def _comment(domain: ir.Domain) -> str:
+    where = _where(domain)
+    return f"    {comments.aside(f'{domain.name} [{where}]' if where else domain.name)}"
+
+
+def _where(domain: ir.Domain) -> str:
+    """Unit and frame."""
+    unit = "" if domain.unit == "1" else domain.unit
+    frame = f"in {domain.frame}" if domain.frame and "->" not in domain.frame else domain.frame
+    return ", ".join(part for part in (unit, frame) if part)
