@@ -249,6 +249,8 @@ def _check(
         problems.append((next(iter(previous)), "bind both previous increments or neither"))
     if previous and (options["samples"] != 1 or rates):
         problems.append(("samples", "the previous increment goes with samples = 1"))
+    if previous and options["sculling"] == "none":
+        problems.append(("sculling", "previous increments serve sculling; leave them out or ask for it"))
     corrected = [key for key in ("rotation", "sculling") if options[key] != "none"]
     corrected = [key for key in corrected if key == "rotation" or options["samples"] != 1]
     if options["increments"] == "compensated" and (corrected or previous):

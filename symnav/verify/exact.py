@@ -189,7 +189,7 @@ class Exact:
             x = list(arguments[source.name])
             raw = source.name in self._derivation.equation.raw
             y = [a + b for a, b in zip(x, d, strict=True)] if raw else retract(
-                block, x, d, lambda s, t: self._matrix(arguments, s, t)
+                block, x, d, lambda s, t: self.matrix(arguments, s, t)
             )  # fmt: skip
             return {**arguments, source.name: y}
         place = self._spec.layout.places[source.name]
@@ -197,11 +197,11 @@ class Exact:
         d = [mp.mpf(0)] * place.block.error_size
         d[j] = step
         x[place.storage] = retract(
-            place.block, x[place.storage], d, lambda s, t: self._matrix(arguments, s, t)
+            place.block, x[place.storage], d, lambda s, t: self.matrix(arguments, s, t)
         )
         return {**arguments, STATE: x}
 
-    def _matrix(self, arguments: Arguments, source: str, target: str) -> Vector:
+    def matrix(self, arguments: Arguments, source: str, target: str) -> Vector:
         """The rotation between two frames at the nominal state, from a block or an input."""
         for block, x in self._rotations(arguments):
             ends = frame_map(block.maps)

@@ -1,0 +1,395 @@
+"""Compare every back end of a generated package with the witnesses, over samples and edges.
+
+Input: the spec, its derivations and the imported package. Output: a ``ProofSheet``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from mpmath import mp
+from numpy.typing import NDArray
+
+from symnav.binding import STATE
+from symnav.blocks import HeadingBlock
+from symnav.derive import Derivation, DerivedOutput
+from symnav.spec.records import Spec
+from symnav.verify.exact import DIGITS, Exact
+from symnav.verify.sampling import Samples, draw
+from symnav.verify.scale import Scale
+from symnav.verify.sheet import Finding, ProofSheet, Row
+
+Array = NDArray[np.float64]
+#: Fifty-digit evaluations per function; they cost milliseconds each.
+EXACT_SAMPLES = 24
+BACKENDS = ("native", "numpy", "casadi")
+Reference = Callable[[str, Mapping[str, Any], Mapping[str, Any]], Mapping[str, Sequence[Any]]]
+
+
+@dataclass
+class _Worst:
+    """The largest error of one comparison so far."""
+
+    unit: str
+    relative: float = 0.0
+    absolute: float = 0.0
+    samples: int = 0
+    index: int = -1
+
+    def add(self, error: Array, scale: Array, rows: Array) -> None:
+        """Take in errors (S, ...) at scales; ``rows`` says which samples they are."""
+        self.samples += error.size
+        if error.size == 0:
+            return
+        with np.errstate(all="ignore"):
+            relative = np.where(error == 0.0, 0.0, error / scale)
+        relative = np.where(np.isnan(relative) | np.isnan(error), np.inf, relative)
+        flat = relative.reshape(len(rows), -1).max(axis=1)
+        worst = int(np.argmax(flat))
+        if flat[worst] >= self.relative:
+            self.relative = float(flat[worst])
+            self.index = int(rows[worst])
+        self.absolute = max(self.absolute, float(np.max(error)))
+
+
+@dataclass
+class _FunctionProof:
+    """Comparisons of one function."""
+
+    spec: Spec
+    derivation: Derivation
+    samples: Samples
+    worst: dict[tuple[str, str], _Worst] = field(default_factory=dict)
+
+    def compare(
+        self, output: DerivedOutput, comparison: str, a: Array, b: Array, scale: Array, rows: Array
+    ) -> None:
+        """Record |a - b| of one output, block by block of its columns."""
+        for block, columns, unit in self._blocks(output):
+            key = (block, comparison)
+            worst = self.worst.setdefault(key, _Worst(unit))
+            with np.errstate(all="ignore"):
+                error = np.abs(a[..., columns] - b[..., columns])
+            worst.add(error, scale[..., columns], rows)
+
+    def rows(self) -> Iterator[Row]:
+        """The comparisons as rows of the sheet."""
+        for (block, comparison), worst in self.worst.items():
+            yield Row(
+                self.derivation.name, block, comparison, worst.relative, worst.absolute,
+                worst.unit, worst.samples, self._reproduction(worst.index),
+            )  # fmt: skip
+
+    def _blocks(self, output: DerivedOutput) -> list[tuple[str, slice, str]]:
+        """Column ranges of a Jacobian by state block; a value is one block."""
+        if output.kind != "jacobian":
+            return [(output.name, slice(None), output.unit)]
+        if output.by:
+            return [(f"d/d {output.by}", slice(None), "")]
+        touched = {column for _, column in output.entries}
+        blocks = []
+        for place in self.spec.layout.places.values():
+            columns = range(place.error.start, place.error.stop)
+            if touched.intersection(columns) or output.slots:
+                blocks.append((f"d/d {place.block.name}", place.error, ""))
+        zero = [c for c in range(output.columns) if c not in touched]
+        if zero and not output.slots:
+            blocks.append(("d/d (zero columns)", np.array(zero), ""))  # type: ignore[arg-type]
+        return blocks
+
+    def _reproduction(self, index: int) -> str:
+        flat = self.samples.flat()
+        if index < 0:
+            return ""
+        arguments = ", ".join(f"{name}={a[index].tolist()!r}" for name, a in flat.items())
+        return f"  {self.derivation.name}({arguments})"
+
+
+def prove(
+    spec: Spec,
+    derivations: Sequence[Derivation],
+    layout_functions: Sequence[Derivation],
+    package: Any,
+    *,
+    samples: int,
+    seed: int,
+    reference: Reference | None = None,
+    progress: Callable[[str], None] = lambda _stage: None,
+) -> ProofSheet:
+    """Run every comparison.
+
+    Args:
+        spec: the specification.
+        derivations: one per entry.
+        layout_functions: retract and local.
+        package: the imported generated package.
+        samples: per function.
+        seed: of the samples.
+        reference: evaluates a model written from the book, if given.
+        progress: told the name of each function.
+    """
+    rows: list[Row] = []
+    findings: list[Finding] = []
+    notes: list[str] = []
+    backends = {}
+    for name in (*BACKENDS, "native_f32"):
+        module = _backend(package, name)
+        if module is None:
+            if name != "native_f32" or "float" in spec.scalars:
+                notes.append(f"back end {name} was not available; nothing was compared with it")
+        else:
+            backends[name] = module
+    for derivation in derivations:
+        progress(derivation.name)
+        drawn = draw(spec, derivation, samples, seed)
+        proof = _FunctionProof(spec, derivation, drawn)
+        findings += _prove_function(proof, backends, reference)
+        rows += proof.rows()
+    progress("retract and local")
+    rows += _prove_layout(spec, layout_functions, backends, samples, seed)
+    return ProofSheet(spec.name, tuple(rows), tuple(findings), tuple(notes), samples, seed)
+
+
+def _backend(package: Any, name: str) -> Any:
+    import importlib
+
+    try:
+        return importlib.import_module(f"{package.__name__}.{name}")
+    except ImportError:
+        return None
+
+
+def _prove_function(
+    proof: _FunctionProof, backends: Mapping[str, Any], reference: Reference | None
+) -> list[Finding]:
+    derivation = proof.derivation
+    flat = proof.samples.flat()
+    results = {
+        name: _evaluate(getattr(module, derivation.name, None), proof.samples, derivation)
+        for name, module in backends.items()
+    }
+    results = {name: result for name, result in results.items() if result is not None}
+    findings = _statuses(derivation, results)
+    good = np.flatnonzero(results["numpy"].ok)
+    if good.size < max(4, len(results["numpy"].ok) // 4):
+        findings.append(
+            Finding(
+                derivation.name,
+                f"only {good.size} of {len(results['numpy'].ok)} samples are inside the domain",
+            )
+        )
+    scales = Scale(derivation).outputs({name: a[good] for name, a in flat.items()})
+    for output in derivation.outputs:
+        if "native" in results:
+            a, b = results["native"].get(output, good), results["numpy"].get(output, good)
+            proof.compare(output, "native vs numpy", a, b, scales[output.name], good)
+    few = good[:: max(1, good.size // EXACT_SAMPLES)][:EXACT_SAMPLES]
+    _compare_exact(proof, results, scales, good, few)
+    if reference is not None and derivation.entry is not None:
+        _compare_reference(proof, reference, results["numpy"], scales, good, few)
+    return findings
+
+
+@dataclass
+class _Evaluated:
+    """Outputs of one back end, flattened to one row per sample and item."""
+
+    outputs: Mapping[str, Array]
+    ok: NDArray[np.bool_]
+    status: NDArray[np.int64]
+
+    def get(self, output: DerivedOutput, rows: Array) -> Array:
+        """(R, rows) or (R, rows, columns) of the samples chosen."""
+        shape = (output.rows, output.columns) if output.kind == "jacobian" else (output.rows,)
+        flat: Array = self.outputs[output.name].reshape(len(self.ok), *shape)
+        return flat[rows]
+
+
+def _evaluate(function: Any, samples: Samples, derivation: Derivation) -> _Evaluated | None:
+    if function is None:
+        return None
+    result = function(**dict(samples.arguments))
+    outputs = {
+        o.name: np.asarray(getattr(result, o.name), dtype=np.float64) for o in derivation.outputs
+    }
+    status = np.asarray(result.status)
+    if samples.items is not None:
+        item = np.asarray(result.item_status)
+        whole = np.where((status == 0) | (status == 7), 0, status)
+        status = np.where(whole[:, None] != 0, whole[:, None], item).reshape(-1)
+    return _Evaluated(outputs, status == 0, status)
+
+
+def _statuses(derivation: Derivation, results: Mapping[str, _Evaluated]) -> list[Finding]:
+    findings = []
+    for name, result in results.items():
+        if name in ("native_f32", "numpy"):
+            continue
+        different = np.flatnonzero(result.status != results["numpy"].status)
+        if different.size:
+            k = int(different[0])
+            findings.append(
+                Finding(
+                    derivation.name,
+                    f"status of {name} is {result.status[k]}, of numpy "
+                    f"{results['numpy'].status[k]}, in sample {k}",
+                )
+            )
+    return findings
+
+
+def _compare_exact(
+    proof: _FunctionProof,
+    results: Mapping[str, _Evaluated],
+    scales: Mapping[str, Array],
+    good: Array,
+    few: Array,
+) -> None:
+    derivation = proof.derivation
+    flat = proof.samples.flat()
+    exact = Exact(proof.spec, derivation)
+    place = {int(row): k for k, row in enumerate(good)}
+    with mp.workdps(DIGITS):
+        for row in few:
+            chosen = np.array([row])
+            numbers = {n: [mp.mpf(float(v)) for v in a[row]] for n, a in flat.items()}
+            truth = exact.outputs(numbers)
+            for output in derivation.outputs:
+                derived = output.kind == "jacobian" or output.name not in derivation.equation.outputs
+                against = "differences" if derived else "50 digits"
+                scale = scales[output.name][place[int(row)] : place[int(row)] + 1]
+                for name, result in results.items():
+                    if name == "native_f32" and not result.ok[row]:
+                        continue
+                    label = "float" if name == "native_f32" else name
+                    got = result.get(output, chosen)
+                    # The difference is formed with all digits, so that it is not lost in rounding.
+                    error = _differences(got, truth[output.name])
+                    proof.compare(
+                        output, f"{label} vs {against}", error, np.zeros_like(error), scale, chosen
+                    )
+
+
+def _differences(got: Array, truth: Sequence[Any]) -> Array:
+    flat = [float(mp.mpf(float(a)) - b) for a, b in zip(got.ravel(), truth, strict=True)]
+    return np.array(flat).reshape(got.shape)
+
+
+def _compare_reference(
+    proof: _FunctionProof,
+    reference: Reference,
+    result: _Evaluated,
+    scales: Mapping[str, Array],
+    good: Array,
+    few: Array,
+) -> None:
+    derivation = proof.derivation
+    entry = derivation.entry
+    assert entry is not None
+    flat = proof.samples.flat()
+    place = {int(row): k for k, row in enumerate(good)}
+    with mp.workdps(DIGITS):
+        for row in few:
+            chosen = np.array([row])
+            numbers = {n: [mp.mpf(float(v)) for v in a[row]] for n, a in flat.items()}
+            truth = reference(entry.model.name, _quantities(proof.spec, entry, numbers), entry.options)
+            for output in derivation.outputs:
+                if output.name in truth:
+                    error = _differences(result.get(output, chosen), truth[output.name])
+                    scale = scales[output.name][place[int(row)] : place[int(row)] + 1]
+                    proof.compare(
+                        output, "numpy vs reference", error, np.zeros_like(error), scale, chosen
+                    )
+
+
+def _quantities(spec: Spec, entry: Any, numbers: Mapping[str, Any]) -> Mapping[str, Any]:
+    from symnav.verify.references import quantities
+
+    return quantities(spec, entry, numbers)
+
+
+def _prove_layout(
+    spec: Spec,
+    layout_functions: Sequence[Derivation],
+    backends: Mapping[str, Any],
+    samples: int,
+    seed: int,
+) -> list[Row]:
+    """Retract and local against fifty digits, and as inverses of each other."""
+    retract, _ = layout_functions
+    drawn = draw(spec, retract, samples, seed)
+    arguments = dict(drawn.arguments)
+    rows: list[Row] = []
+    for name, module in backends.items():
+        if name in ("casadi", "native_f32"):
+            continue
+        state = module.State
+        extra = {key: value for key, value in arguments.items() if key not in (STATE, "d")}
+        moved = np.asarray(state.retract(arguments[STATE], arguments["d"], **extra))
+        back = np.asarray(state.local(arguments[STATE], moved, **extra))
+        rows += _inverse_rows(spec, name, arguments, back)
+        if name == "native":
+            rows += _retract_rows(spec, retract, arguments, moved)
+    return rows
+
+
+def _inverse_rows(spec: Spec, name: str, arguments: Mapping[str, Array], back: Array) -> list[Row]:
+    d, x = arguments["d"], arguments[STATE]
+    rows = []
+    for place in spec.layout.places.values():
+        error = np.abs(back[:, place.error] - d[:, place.error])
+        if isinstance(place.block, HeadingBlock):
+            error = np.abs((error + np.pi) % (2.0 * np.pi) - np.pi)
+        # An additive error is known to the rounding of the stored value it moves.
+        stored = np.max(np.abs(x[:, place.storage]), axis=1, keepdims=True)
+        radius = 6.4e6 if place.block.kind == "geodetic" else 0.0
+        scale = np.abs(d[:, place.error]).max(axis=1, keepdims=True) + stored + radius + 1.0
+        worst = _Worst(place.block.units[1])
+        worst.add(error, np.broadcast_to(scale, error.shape), np.arange(len(d)))
+        rows.append(
+            Row(
+                f"State ({name})", place.block.name, "retract then local", worst.relative,
+                worst.absolute, worst.unit, worst.samples,
+                f"  State.local(x, State.retract(x, d)) at x={x[worst.index].tolist()!r}, "
+                f"d={d[worst.index].tolist()!r}",
+            )  # fmt: skip
+        )
+    return rows
+
+
+def _retract_rows(
+    spec: Spec, retract: Derivation, arguments: Mapping[str, Array], moved: Array
+) -> list[Row]:
+    from symnav.verify.retraction import retract as exact_retract
+
+    exact = Exact(spec, retract)
+    rows = []
+    count = min(EXACT_SAMPLES, len(moved))
+    with mp.workdps(DIGITS):
+        for place in spec.layout.places.values():
+            worst = _Worst(place.block.units[0])
+            for k in range(count):
+                numbers = {n: [mp.mpf(float(v)) for v in a[k]] for n, a in arguments.items()}
+                truth = exact_retract(
+                    place.block,
+                    numbers[STATE][place.storage],
+                    numbers["d"][place.error],
+                    lambda s, t, n=numbers: exact.matrix(n, s, t),  # type: ignore[misc]
+                )
+                got = moved[k : k + 1, place.storage]
+                error = np.abs(_differences(got, truth))
+                error = np.where(
+                    error > np.pi, np.abs((error + np.pi) % (2.0 * np.pi) - np.pi), error
+                ) if place.block.kind in ("heading", "geodetic") else error  # fmt: skip
+                scale = np.abs(got) + np.abs(arguments["d"][k, place.error]).max() * 1e-6 + 1.0
+                worst.add(error, scale, np.array([k]))
+            rows.append(
+                Row(
+                    "State (native)", place.block.name, "retract vs 50 digits", worst.relative,
+                    worst.absolute, worst.unit, worst.samples, "",
+                )  # fmt: skip
+            )
+    return rows
