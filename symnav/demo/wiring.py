@@ -22,7 +22,7 @@ from symnav.demo.results import DemoResult
 from symnav.demo.run import Progress, run
 from symnav.errors import InputError
 from symnav.spec.records import Binding, Entry, Spec, ToInput, ToState
-from symnav.verify import ProofSheet
+from symnav.verify.sheet import ProofSheet
 
 _DELAYS = ("satellite_position", "satellite_clock", "troposphere", "ionosphere")
 _RANGE_ROLES = frozenset({"position", "clock_bias", *_DELAYS})
