@@ -1,0 +1,273 @@
+"""The whole flow, in order.
+
+    load      Input: a TOML file, or the name of a shipped model.   Output: ``Spec``
+    derive    Input: ``Spec``.                                      Output: ``Derivation`` each
+    lower     Input: ``Derivation``, by two routes.                 Output: ``ir.Module`` each
+    emit      Input: ``ir.Module``.                                 Output: text by path
+    write     Input: text by path.                                  Output: a package on disk
+    build     Input: a package.                                     Output: its extension
+    verify    Input: ``Spec`` and the imported package.             Output: ``ProofSheet``
+
+``generate`` runs the stages from derive to write; ``verify`` runs them all.
+"""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+import sys
+import time
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from importlib.resources import files
+from pathlib import Path
+from types import ModuleType
+from typing import TYPE_CHECKING, TypeVar
+
+from symnav.errors import InputError
+
+if TYPE_CHECKING:
+    from symnav.build import BuildResult
+    from symnav.derive import Derivation
+    from symnav.emit.manifest import CheckReport
+    from symnav.spec.records import Spec
+    from symnav.verify.sheet import ProofSheet
+
+Progress = Callable[[str], None]
+T = TypeVar("T")
+
+
+def _silent(_stage: str) -> None:
+    """Report nothing."""
+
+
+@dataclass(frozen=True)
+class Generated:
+    """What generation did.
+
+    Attributes:
+        package: directory of the generated package.
+        written: relative paths of the files that were new or different.
+        unchanged: True when the package was already current.
+        seconds: time per stage.
+    """
+
+    package: Path
+    written: tuple[str, ...]
+    unchanged: bool
+    seconds: Mapping[str, float]
+
+
+@dataclass(frozen=True)
+class Derived:
+    """The derivations of a spec: its entries, and retract and local."""
+
+    entries: tuple[Derivation, ...]
+    layout: tuple[Derivation, Derivation]
+
+
+def shipped() -> list[tuple[str, str]]:
+    """Names and titles of the shipped models, in alphabetical order."""
+    found = []
+    for path in sorted(_models().iterdir(), key=lambda p: p.name):
+        if path.name.endswith(".toml"):
+            first = path.read_text(encoding="utf-8").splitlines()[0]
+            found.append((path.name.removesuffix(".toml"), first.lstrip("# ").strip()))
+    return found
+
+
+def load(spec: str | Path) -> Spec:
+    """Read a specification: a file, or the name of a shipped model.
+
+    Raises:
+        SpecError: with every mistake of the specification.
+        InputError: when there is no such file or model.
+    """
+    from symnav import spec as specification
+
+    path = Path(spec)
+    if path.suffix == ".toml" or path.exists():
+        return specification.load(path)
+    shipped_path = _models() / f"{spec}.toml"
+    if not shipped_path.is_file():
+        names = ", ".join(name for name, _ in shipped())
+        raise InputError(f"{spec}: neither a file nor a shipped model; the models are {names}")
+    return specification.load(Path(str(shipped_path)))
+
+
+def derive(spec: Spec) -> Derived:
+    """Derive every entry of a spec, and retract and local of its layout."""
+    from symnav import derive as derivation
+    from symnav.naming import RESERVED
+
+    reserved = RESERVED | spec.inputs.keys()
+    return Derived(
+        tuple(derivation.derive(spec, entry, reserved) for entry in spec.entries),
+        (derivation.derive_retract(spec, reserved), derivation.derive_local(spec, reserved)),
+    )
+
+
+def emit(spec: Spec, derived: Derived) -> dict[str, str]:
+    """Lower by both routes and emit every file of the package except its manifest."""
+    from symnav import ir
+    from symnav.emit import c, numpy, python
+    from symnav.lower import casadi, casadi_witness, sympy
+    from symnav.lower.module import module, through
+    from symnav.lower.passes.inline import inline
+    from symnav.lower.passes.reciprocals import share_reciprocals
+
+    everything = (*derived.layout, *derived.entries)
+    lowered = [casadi.lower(spec, derivation) for derivation in everything]
+    c_functions = through(lowered, share_reciprocals, inline)
+    numpy_functions = [sympy.lower(spec, derivation) for derivation in everything]
+    double = module(spec, c_functions)
+    vectorised = module(spec, numpy_functions)
+    text = {**c.emit(double), **numpy.emit(vectorised), **python.emit(double)}
+    if "float" in spec.scalars:
+        text |= c.emit(module(spec, c_functions, ir.Scalar.FLOAT))
+    return text | casadi_witness.sources(spec, derived.entries)
+
+
+def generate(spec: Spec, out: Path, progress: Progress = _silent) -> Generated:
+    """Write the package of a spec below ``out``; nothing is written when a stage fails."""
+    seconds: dict[str, float] = {}
+    derived = _timed("derive", seconds, progress, lambda: derive(spec))
+    text = _timed("emit", seconds, progress, lambda: emit(spec, derived))
+    package = out / spec.name
+    written = _timed("write", seconds, progress, lambda: _write(spec, package, text))
+    return Generated(package, written, not written, seconds)
+
+
+def build(package: Path, native: bool = False, progress: Progress = _silent) -> BuildResult:
+    """Compile the extensions of a package.
+
+    Raises:
+        BuildError: when there is no compiler, or it refuses the code.
+    """
+    from symnav import build as building
+
+    return building.build(package, native=native, log=progress)
+
+
+def check(package: Path, spec: Spec | None = None) -> CheckReport:
+    """Say whether a package is fresh, stale or hand-edited."""
+    from symnav.emit import manifest
+    from symnav.lower.module import digest
+
+    return manifest.check(package, None if spec is None else digest(spec))
+
+
+def verify(
+    spec: Spec,
+    *,
+    samples: int = 200,
+    seed: int = 1,
+    reference: Path | None = None,
+    out: Path | None = None,
+    progress: Progress = _silent,
+) -> ProofSheet:
+    """Generate, build and import the package of a spec, and prove it.
+
+    Args:
+        spec: what to verify.
+        samples: per function.
+        seed: of the samples.
+        reference: directory of references written from the book.
+        out: where the package goes; a temporary directory by default.
+        progress: told each stage.
+    """
+    import tempfile
+
+    if out is not None:
+        return _verify_in(spec, out, samples, seed, reference, progress)
+    with tempfile.TemporaryDirectory(prefix="symnav-") as folder:
+        return _verify_in(spec, Path(folder), samples, seed, reference, progress)
+
+
+def _verify_in(
+    spec: Spec, out: Path, samples: int, seed: int, reference: Path | None, progress: Progress
+) -> ProofSheet:
+    from symnav.errors import BuildError
+    from symnav.verify.proof import prove
+    from symnav.verify.references import References
+
+    judge = None if reference is None else References(reference)
+    derived = derive(spec)
+    package = generate(spec, out, progress).package
+    try:
+        build(package, progress=progress)
+    except BuildError as error:
+        progress(f"no extension: {error}")
+    imported = import_package(package)
+    return prove(
+        spec, derived.entries, derived.layout, imported,
+        samples=samples, seed=seed, reference=judge, progress=progress,
+    )  # fmt: skip
+
+
+def import_package(package: Path) -> ModuleType:
+    """Import a generated package from its directory, whatever the search path."""
+    path = package.resolve()
+    name = f"_symnav_{abs(hash(str(path))):x}_{path.name}"
+    for loaded in [n for n in sys.modules if n == name or n.startswith(f"{name}.")]:
+        del sys.modules[loaded]
+    importlib.invalidate_caches()
+    found = importlib.util.spec_from_file_location(
+        name, path / "__init__.py", submodule_search_locations=[str(path)]
+    )
+    if found is None or found.loader is None or not (path / "__init__.py").is_file():
+        raise InputError(f"{package}: not a generated package; run symnav generate first")
+    module = importlib.util.module_from_spec(found)
+    sys.modules[name] = module
+    found.loader.exec_module(module)
+    return module
+
+
+def _models() -> Path:
+    return Path(str(files("symnav") / "models"))
+
+
+def _timed(
+    stage: str, seconds: dict[str, float], progress: Progress, run: Callable[[], T]
+) -> T:
+    progress(stage)
+    start = time.perf_counter()
+    result = run()
+    seconds[stage] = time.perf_counter() - start
+    return result
+
+
+def _write(spec: Spec, package: Path, text: Mapping[str, str]) -> tuple[str, ...]:
+    from symnav.emit import manifest
+    from symnav.lower.module import digest
+
+    complete = {**text, **manifest.emit(digest(spec), spec.scalars, text)}
+    changed = [path for path, content in complete.items() if not _same(package / path, content)]
+    stale = _stale_files(package, complete)
+    if changed or stale:
+        _replace(package, complete, stale)
+    return tuple(sorted([*changed, *stale]))
+
+
+def _same(path: Path, content: str) -> bool:
+    return path.is_file() and path.read_bytes() == content.encode()
+
+
+def _stale_files(package: Path, complete: Mapping[str, str]) -> list[str]:
+    """Files that an earlier generation wrote and this one does not."""
+    from symnav.emit import manifest
+
+    return [path for path in manifest.listed(package) if path not in complete]
+
+
+def _replace(package: Path, complete: Mapping[str, str], stale: Sequence[str]) -> None:
+    """Every file through a temporary name in its folder; the manifest last."""
+    order = sorted(complete, key=lambda path: path == "manifest.json")
+    for path in order:
+        target = package / path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        partial = target.with_name(f".{target.name}.partial")
+        partial.write_bytes(complete[path].encode())
+        partial.replace(target)
+    for path in stale:
+        (package / path).unlink(missing_ok=True)
