@@ -179,9 +179,7 @@ class Arguments:
                 yield _as_rotation(self.input(name))
 
     def _symbols(self, block: Block, argument: str, start: int, *, item: bool) -> Row:
-        names = [
-            f"{block.name}_{label}" if label else block.name for label in block.storage_labels
-        ]
+        names = [f"{block.name}_{label}" if label else block.name for label in block.storage_labels]
         symbols = self.graph.argument(names, item=item)
         self.origins.update({s: Origin(argument, start + i) for i, s in enumerate(symbols)})
         return symbols

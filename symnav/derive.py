@@ -13,9 +13,9 @@ from dataclasses import dataclass
 import sympy as sp
 
 from symnav.binding import Arguments, BoundEntry, Origin, Source, bind
+from symnav.elimination import jacobian, operations
 from symnav.equations.bound import Results
 from symnav.errors import EquationError
-from symnav.elimination import jacobian, operations
 from symnav.graph import ZERO, Definition, Graph, Matrix, product, transpose
 from symnav.quantities import Quantity
 from symnav.spec.records import Entry, Spec, ToInput
@@ -136,7 +136,7 @@ def derive(spec: Spec, entry: Entry, reserved: frozenset[str]) -> Derivation:
 
 
 def derive_retract(spec: Spec, reserved: frozenset[str]) -> Derivation:
-    """x moved by d, every block by its own rule."""
+    """X moved by d, every block by its own rule."""
     return _layout_function(spec, "retract", "d", reserved)
 
 
@@ -145,9 +145,7 @@ def derive_local(spec: Spec, reserved: frozenset[str]) -> Derivation:
     return _layout_function(spec, "local", "y", reserved)
 
 
-def _layout_function(
-    spec: Spec, name: str, second: str, reserved: frozenset[str]
-) -> Derivation:
+def _layout_function(spec: Spec, name: str, second: str, reserved: frozenset[str]) -> Derivation:
     graph = Graph(reserved=reserved)
     arguments = Arguments(spec, graph)
     values: list[sp.Expr] = []
@@ -219,11 +217,11 @@ def _outputs(
         )
     for source in sources.values():
         if not source.state and source.name in entry.jacobian_inputs:
+            name = f"jacobian_{source.name}"
             outputs.append(
                 _jacobian_output(
-                    f"jacobian_{source.name}", values[first].size, source.size, [source], primary,
-                    source.name,
-                )  # fmt: skip
+                    name, values[first].size, source.size, [source], primary, source.name
+                )
             )
     for name, rate in results.rates.items():
         by = _source_of(bound, rate.by)
@@ -326,4 +324,3 @@ def needed(
             kept.append(definition)
             live |= definition.expression.free_symbols
     return tuple(reversed(kept))
-

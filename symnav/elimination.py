@@ -78,9 +78,7 @@ class _Trial:
             return self._known[expression]
         if -expression in self._known:
             return -self._known[-expression]
-        item = self.graph.is_item(expression) or not self._items.isdisjoint(
-            expression.free_symbols
-        )
+        item = self.graph.is_item(expression) or not self._items.isdisjoint(expression.free_symbols)
         symbol = sp.Symbol(self.graph.free_name(name, self._taken))
         self._known[expression] = symbol
         if item:

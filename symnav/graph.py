@@ -260,9 +260,7 @@ class Graph:
         return _first_free(name, set(self.vertices))
 
 
-def element_names(
-    name: str, count: int, suffixes: Sequence[str] | None = None
-) -> tuple[str, ...]:
+def element_names(name: str, count: int, suffixes: Sequence[str] | None = None) -> tuple[str, ...]:
     """Names for the elements of a named quantity: ``a``, ``a_x a_y a_z`` or ``a_0 a_1 ...``."""
     if suffixes is None:
         if count == 1:

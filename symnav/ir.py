@@ -29,8 +29,11 @@ class Status(IntEnum):
 
 
 class Operation(StrEnum):
-    """Arithmetic the representation knows. Comparisons stand only inside the first operand of a
-    ``SELECT`` or inside ``AND``, ``OR`` and ``NOT``; they are never stored in a local."""
+    """Arithmetic the representation knows.
+
+    Comparisons stand only inside the first operand of a ``SELECT`` or inside ``AND``, ``OR`` and
+    ``NOT``; they are never stored in a local.
+    """
 
     ADD = "add"
     SUB = "sub"
@@ -121,7 +124,7 @@ class Statement:
 
 @dataclass(frozen=True, slots=True)
 class Check:
-    """A guard on a temporary: ``target = value`` where lower <= value <= upper, else ``substitute``.
+    """A guard on a temporary: ``target = value`` inside the bounds, else ``substitute``.
 
     A failed check raises ``status`` (for the item, inside an item body). What follows reads the
     target, so that a square root or a division never sees a bad operand.

@@ -227,9 +227,7 @@ def _models() -> Path:
     return Path(str(files("symnav") / "models"))
 
 
-def _timed(
-    stage: str, seconds: dict[str, float], progress: Progress, run: Callable[[], T]
-) -> T:
+def _timed(stage: str, seconds: dict[str, float], progress: Progress, run: Callable[[], T]) -> T:
     progress(stage)
     start = time.perf_counter()
     result = run()

@@ -259,9 +259,7 @@ def _rotation_vertex(
         graph.vertex(label, out, _accumulate(partials, rotation.tangent, skew(out, -sign)))
 
 
-def _raw_partials(
-    graph: Graph, label: str, rotation: Rotation, a: Row, forward: bool
-) -> Matrix:
+def _raw_partials(graph: Graph, label: str, rotation: Rotation, a: Row, forward: bool) -> Matrix:
     """d(M a)/d(raw element) from the gradient of the matrix entries."""
     count = len(rotation.gradient[0])
     flat = []
@@ -317,7 +315,7 @@ def reciprocal(name: str, scalar: Quantity) -> Quantity:
 
 
 def divide(name: str, numerator: Quantity, denominator: Quantity) -> Quantity:
-    """numerator / denominator for any denominator; one below 1e-15 is a domain error.
+    """Numerator / denominator for any denominator; one below 1e-15 is a domain error.
 
     The quotient is formed as n (d / d^2), so that the guard stands on a square and the code has
     neither a branch nor a division by a bad value.
@@ -398,7 +396,7 @@ def _accumulate(partials: dict[str, Matrix], name: str, matrix: Matrix) -> dict[
 
 
 def _axis_cross(axis: int, v: Row, sign: sp.Expr) -> Row:
-    """sign * e_axis x v."""
+    """Sign * e_axis x v."""
     result = [ZERO, ZERO, ZERO]
     i, j = (axis + 1) % 3, (axis + 2) % 3
     result[i], result[j] = -sign * v[j], sign * v[i]

@@ -130,7 +130,7 @@ class Block(ABC):
 
     @abstractmethod
     def local(self, graph: Graph, x: Row, y: Row, nominal: Nominal) -> Row:
-        """The error that leads from ``x`` to ``y``: retract(x, local(x, y)) = y."""
+        """The error that leads from ``x`` to ``y``: retracting ``x`` by it gives ``y``."""
 
 
 def frame_map(text: str) -> tuple[str, str]:

@@ -53,9 +53,7 @@ class GeodeticBlock(Block):
 
     @property
     def initial(self) -> tuple[float, ...]:
-        return tuple(
-            min(max(0.0, lo), hi) for lo, hi in zip(self.lower, self.upper, strict=True)
-        )
+        return tuple(min(max(0.0, lo), hi) for lo, hi in zip(self.lower, self.upper, strict=True))
 
     def attach(self, graph: Graph, x: Row, source: str | None, nominal: Nominal) -> Value:
         if source is not None:
@@ -72,7 +70,9 @@ class GeodeticBlock(Block):
         if source is not None:
             graph.vertex(f"{self.name}_ecef", terms.ecef, {source: rows_of(matrix, 3)})
             if not fixed:
-                turn = self._named(graph, "turn", geodesy.transport_rotation(terms, self.error_axes))
+                turn = self._named(
+                    graph, "turn", geodesy.transport_rotation(terms, self.error_axes)
+                )
                 tangent = graph.vertex(f"{self.name}_turn", (), {source: turn}, size=3).name
         position = Quantity(graph, terms.ecef, units.parse("m"), self.frame)
         level = Rotation(

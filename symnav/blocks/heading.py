@@ -58,17 +58,13 @@ class HeadingBlock(Block):
         tangent = None
         if source is not None:
             graph.attach(f"{self.name}_elements", x, 0, {}, identity=False)
-            tangent = graph.vertex(
-                f"{self.name}_tangent", (), {source: identity(1)}, size=1
-            ).name
+            tangent = graph.vertex(f"{self.name}_tangent", (), {source: identity(1)}, size=1).name
         cosine, sine = graph.define(
             self.name, [sp.cos(x[0]), sp.sin(x[0])], suffixes=("cosine", "sine")
         )
         axis = AXES.index(self.axis)
         matrix = axis_rotation(axis, cosine, sine)
-        return Rotation(
-            graph, self.name, from_frame, to_frame, matrix, tangent, "axis", axis=axis
-        )
+        return Rotation(graph, self.name, from_frame, to_frame, matrix, tangent, "axis", axis=axis)
 
     def retract(self, graph: Graph, x: Row, d: Row, nominal: Nominal) -> Row:
         (moved,) = graph.define(f"{self.name}_moved", [x[0] + d[0]])

@@ -126,9 +126,7 @@ class RotationBlock(Block):
         inverse = rotations.conjugate(before)
         left = self.error.startswith("left")
         pair = (after, inverse) if left else (inverse, after)
-        theta = rotations.logarithm(
-            graph, f"{self.name}_log", rotations.quaternion_product(*pair)
-        )
+        theta = rotations.logarithm(graph, f"{self.name}_log", rotations.quaternion_product(*pair))
         return tuple(self._sign * e for e in theta)
 
     def _retract_matrix(self, graph: Graph, x: Row, d: Row) -> Row:

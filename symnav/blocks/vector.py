@@ -57,9 +57,7 @@ class VectorBlock(Block):
 
     @property
     def initial(self) -> tuple[float, ...]:
-        return tuple(
-            min(max(0.0, lo), hi) for lo, hi in zip(self.lower, self.upper, strict=True)
-        )
+        return tuple(min(max(0.0, lo), hi) for lo, hi in zip(self.lower, self.upper, strict=True))
 
     @property
     def _sign(self) -> sp.Expr:

@@ -71,7 +71,8 @@ class Bound:
             raise AttributeError(name)
         if name not in self.values:
             raise EquationError(
-                f"{name!r} is not a state block or an input; known: {', '.join(sorted(self.values))}"
+                f"{name!r} is not a state block or an input; "
+                f"known: {', '.join(sorted(self.values))}"
             )
         return self.values[name]
 

@@ -82,14 +82,14 @@ def _kepler(mean: Quantity, eccentricity: Quantity) -> Quantity:
     return Quantity(graph, (value,), units.ONE)
 
 
-def _position(
-    q: Bound, tk: Quantity, a: Quantity, e: Quantity, anomaly: Quantity
-) -> Quantity:
+def _position(q: Bound, tk: Quantity, a: Quantity, e: Quantity, anomaly: Quantity) -> Quantity:
     one = q.constant("1", 1.0)
     cos_e, sin_e = _map("cos_anomaly", sp.cos, anomaly), _map("sin_anomaly", sp.sin, anomaly)
     root = _map("axis_ratio", lambda x: sp.sqrt(1 - x * x), e)
     y, x = let("minor", root * sin_e), let("major", cos_e - e)
-    true = let("true_anomaly", Quantity(q.graph, (sp.atan2(y.elements[0], x.elements[0]),), one.unit))
+    true = let(
+        "true_anomaly", Quantity(q.graph, (sp.atan2(y.elements[0], x.elements[0]),), one.unit)
+    )
     phi = let("latitude_argument", true + q.vector("argument_of_perigee"))
     double = let("doubled_argument", 2.0 * phi)
     c2, s2 = _map("cos_doubled", sp.cos, double), _map("sin_doubled", sp.sin, double)
@@ -102,11 +102,11 @@ def _position(
     r = let("radius", a * (one - e * cos_e) + harmonic("cr"))
     i = let(
         "inclination_now",
-        q.vector("inclination")
-        + harmonic("ci")
-        + q.vector("inclination_rate") * tk,
+        q.vector("inclination") + harmonic("ci") + q.vector("inclination_rate") * tk,
     )
-    rate = let("node_rate", q.vector("right_ascension_rate") - q.constant("rad/s", earth.ROTATION_RATE))
+    rate = let(
+        "node_rate", q.vector("right_ascension_rate") - q.constant("rad/s", earth.ROTATION_RATE)
+    )
     node = let(
         "node",
         q.vector("right_ascension")

@@ -13,7 +13,6 @@ import sympy as sp
 from symnav import units
 from symnav.equations.bound import Bound, Covariance, Results, let, resolve_in
 from symnav.equations.model import Model, OptionValue, Role, choice, point, rotation, vector
-from symnav.errors import EquationError
 from symnav.frames import earth
 from symnav.quantities import Quantity, elementwise, rotate, total
 
@@ -22,7 +21,7 @@ ARM = vector("lever_arm", "m", "body", 100.0, "Antenna from the body origin, in 
 
 
 def gnss_position(q: Bound) -> Quantity:
-    """z = origin + C (offset + p + R l)."""
+    """Z = origin + C (offset + p + R l)."""
     p = q.vector("position")
     arm = q.optional("lever_arm")
     if arm is not None:
@@ -229,5 +228,3 @@ MODELS = (
         conventions=_local_conventions,
     ),
 )  # fmt: skip
-
-

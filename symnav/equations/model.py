@@ -176,7 +176,9 @@ def scalar(
 
 def point(name: str, frame: str, bound: float, description: str) -> Role:
     """A position that may be a vector or a geodetic block."""
-    return Role(name, "point", 3, "m", frame, False, False, -bound, bound, False, False, description)
+    return Role(
+        name, "point", 3, "m", frame, False, False, -bound, bound, False, False, description
+    )
 
 
 def rotation(name: str, maps: str, description: str, *, optional: bool = False) -> Role:

@@ -16,6 +16,7 @@ from symnav.equations.bound import Bound, Results, resolve_in
 from symnav.equations.model import (
     Model,
     OptionValue,
+    Role,
     choice,
     point,
     rotation,
@@ -30,7 +31,7 @@ ITERATIONS = 3
 
 
 def pseudorange(q: Bound) -> Results:
-    """rho = r + b - c dt_s + T + I."""
+    """Rho = r + b - c dt_s + T + I."""
     antenna = _antenna(q)
     satellite = q.vector("satellite_position")
     geometric = _RANGES[str(q.options["sagnac"])](q, antenna, satellite)
@@ -38,7 +39,7 @@ def pseudorange(q: Bound) -> Results:
 
 
 def pseudorange_relative(q: Bound) -> Results:
-    """rho - rho0 = (x.x - 2 d.x)/(r + r0) + (w/c)(s_x x_y - s_y x_x) + (b - b0)."""
+    """Rho - rho0 = (x.x - 2 d.x)/(r + r0) + (w/c)(s_x x_y - s_y x_x) + (b - b0)."""
     x = let("displacement", _antenna(q))
     d = q.vector("satellite_difference")
     r0 = q.vector("reference_range")
@@ -55,7 +56,7 @@ def pseudorange_relative(q: Bound) -> Results:
 
 
 def _antenna(q: Bound) -> Quantity:
-    """a = p0 + C (p + R l), in the earth-fixed frame; C only where p is not earth-fixed."""
+    """A = p0 + C (p + R l), in the earth-fixed frame; C only where p is not earth-fixed."""
     position = q.vector("position")
     to_ecef = q.rotation("nav_to_ecef")
     arm = q.optional("lever_arm")
@@ -187,7 +188,7 @@ def _conventions(options: Mapping[str, OptionValue]) -> tuple[str, ...]:
     )
 
 
-def _geometry(position: str) -> tuple[object, ...]:
+def _geometry(position: str) -> tuple[Role, ...]:
     return (
         point("position", "place", 1e8, position),
         rotation("attitude", "body -> nav", "Attitude of the body.", optional=True),

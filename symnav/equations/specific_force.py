@@ -38,7 +38,7 @@ SAMPLES = (1, 2, 3, 4, 5)
 
 
 def specific_force(q: Bound) -> Results:
-    """f = C (dv + c2 theta x dv + c3 theta x (theta x dv) + S) / dt."""
+    """F = C (dv + c2 theta x dv + c3 theta x (theta x dv) + S) / dt."""
     source = _from_rates if q.options["input"] == "rates" else _from_increments
     theta, velocity, sculling = source(q)
     corrected = total(velocity, *_rotation(q, theta, velocity), sculling)
@@ -123,16 +123,12 @@ def polynomial_weights(count: int) -> dict[tuple[int, int], Fraction]:
     """
     degree = range(count)
     # increments[i][k]: increment of sub-interval i when the rate is tau^k.
-    increments = [[Fraction((i + 1) ** (k + 1) - i ** (k + 1), k + 1) for k in degree] for i in degree]
+    increments = [
+        [Fraction((i + 1) ** (k + 1) - i ** (k + 1), k + 1) for k in degree] for i in degree
+    ]
     rates = _inverse(increments)
-    # form[k][l] of 1/2 integral (alpha_k x f_l - w_k x v_l), alpha_k = tau^(k+1)/(k+1).
-    form = [
-        [
-            Fraction(1, 2) * (Fraction(1, k + 1) - Fraction(1, m + 1)) * Fraction(count ** (k + m + 2), k + m + 2)
-            for m in degree
-        ]
-        for k in degree
-    ]  # fmt: skip
+    # form[k][m] of 1/2 integral (alpha_k x f_m - w_k x v_m), alpha_k = tau^(k+1)/(k+1).
+    form = [[_moment(k, m, count) for m in degree] for k in degree]
     weights = {}
     for i in degree:
         for j in degree:
@@ -142,6 +138,11 @@ def polynomial_weights(count: int) -> dict[tuple[int, int], Fraction]:
                     Fraction(0),
                 )
     return weights
+
+
+def _moment(k: int, m: int, end: int) -> Fraction:
+    """1/2 (1/(k+1) - 1/(m+1)) times the integral of tau^(k+m+1) from 0 to ``end``."""
+    return Fraction((m - k) * end ** (k + m + 2), 2 * (k + 1) * (m + 1) * (k + m + 2))
 
 
 def _inverse(matrix: Sequence[Sequence[Fraction]]) -> list[list[Fraction]]:
@@ -240,17 +241,25 @@ def _check(
     problems = []
     rates = options["input"] == "rates"
     wanted = RATE_ROLES if rates else INCREMENT_ROLES
-    problems += [(role, f"input = {options['input']!r} needs {role} bound")
-                 for role in wanted if role not in bound]  # fmt: skip
-    problems += [(role, f"input = {options['input']!r} does not use {role}; leave it out")
-                 for role in (INCREMENT_ROLES if rates else RATE_ROLES) if role in bound]  # fmt: skip
+    problems += [
+        (role, f"input = {options['input']!r} needs {role} bound")
+        for role in wanted
+        if role not in bound
+    ]
+    problems += [
+        (role, f"input = {options['input']!r} does not use {role}; leave it out")
+        for role in (INCREMENT_ROLES if rates else RATE_ROLES)
+        if role in bound
+    ]
     previous = {"previous_delta_theta", "previous_delta_velocity"} & bound
     if len(previous) == 1:
         problems.append((next(iter(previous)), "bind both previous increments or neither"))
     if previous and (options["samples"] != 1 or rates):
         problems.append(("samples", "the previous increment goes with samples = 1"))
     if previous and options["sculling"] == "none":
-        problems.append(("sculling", "previous increments serve sculling; leave them out or ask for it"))
+        problems.append(
+            ("sculling", "previous increments serve sculling; leave them out or ask for it")
+        )
     corrected = [key for key in ("rotation", "sculling") if options[key] != "none"]
     corrected = [key for key in corrected if key == "rotation" or options["samples"] != 1]
     if options["increments"] == "compensated" and (corrected or previous):

@@ -62,9 +62,7 @@ def geodetic_terms(graph: Graph, name: str, llh: Row, *, frozen: bool = False) -
         [across * cos_lon, across * sin_lon, (normal * one_less_e2 + height) * sin_lat],
         frozen=frozen,
     )
-    return GeodeticTerms(
-        sin_lat, cos_lat, sin_lon, cos_lon, normal_height, meridian_height, ecef
-    )
+    return GeodeticTerms(sin_lat, cos_lat, sin_lon, cos_lon, normal_height, meridian_height, ecef)
 
 
 def level_to_ecef(

@@ -103,7 +103,9 @@ def exponential(graph: Graph, name: str, d: Row) -> Row:
     """
     (t,) = graph.define(f"{name}_angle_squared", [sp.Add(*(e * e for e in d))])
     small = sp.Lt(t, SERIES_LIMIT)
-    (safe,) = graph.define(f"{name}_safe_squared", [sp.Piecewise((sp.Integer(1), small), (t, True))])
+    (safe,) = graph.define(
+        f"{name}_safe_squared", [sp.Piecewise((sp.Integer(1), small), (t, True))]
+    )
     (a,) = graph.define(f"{name}_angle", [sp.sqrt(safe)])
     near = graph.define(
         f"{name}_near",
@@ -132,7 +134,9 @@ def logarithm(graph: Graph, name: str, q: Row) -> Row:
     (w,) = graph.define(f"{name}_w", [sign * q[0]])
     (t,) = graph.define(f"{name}_sine_squared", [sp.Add(*(e * e for e in q[1:]))])
     small = sp.Lt(t, SERIES_LIMIT)
-    (safe,) = graph.define(f"{name}_safe_squared", [sp.Piecewise((sp.Integer(1), small), (t, True))])
+    (safe,) = graph.define(
+        f"{name}_safe_squared", [sp.Piecewise((sp.Integer(1), small), (t, True))]
+    )
     (sine,) = graph.define(f"{name}_sine", [sp.sqrt(safe)])
     (cosine,) = graph.define(f"{name}_cosine", [sp.Piecewise((w, small), (sp.Integer(1), True))])
     (u,) = graph.define(f"{name}_tangent_squared", [t / (cosine * cosine)])

@@ -60,8 +60,8 @@ def coefficients(term: Term, bound: float) -> tuple[Fraction, ...]:
     """
     if bound > LARGEST_ANGLE**2 * 1.01:
         raise EquationError(
-            f"the declared range allows a rotation of {bound**0.5:.3g} rad in one interval; declare "
-            f"a range whose norm stays below pi"
+            f"the declared range allows a rotation of {bound**0.5:.3g} rad in one interval; "
+            "declare a range whose norm stays below pi"
         )
     chosen: list[Fraction] = []
     for k in range(60):

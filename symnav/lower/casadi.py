@@ -54,9 +54,7 @@ def lower(spec: Spec, derivation: Derivation) -> ir.Function:
     shared = parts.lower(item=False)
     item = parts.lower(item=True) if derivation.mapped else _Lowered((), {})
     values = {
-        output.name: {
-            key: parts.value(e, shared, item) for key, e in output.entries.items()
-        }
+        output.name: {key: parts.value(e, shared, item) for key, e in output.entries.items()}
         for output in derivation.outputs
     }
     slots = {

@@ -38,9 +38,7 @@ def function(spec: Spec, derivation: Derivation, name: str) -> ca.Function:
     inputs = {a: ca.SX.sym(a, _size(spec, a)) for a in derivation.arguments}
     plain = _evaluate(spec, derivation, inputs, {}, {})
     held = {d.symbol: plain.table[d.symbol] for d in derivation.equation.definitions if d.frozen}
-    outputs = [
-        _output(spec, derivation, o.name, inputs, plain, held) for o in derivation.outputs
-    ]
+    outputs = [_output(spec, derivation, o.name, inputs, plain, held) for o in derivation.outputs]
     results = [ca.densify(e) for e in outputs]
     names = [o.name for o in derivation.outputs]
     return ca.Function(name, list(inputs.values()), results, list(inputs), names)
@@ -157,10 +155,8 @@ def _input_jacobian(
 ) -> ca.SX:
     d = ca.SX.sym("d", source.size)
     x = inputs[source.name]
-    if source.name in derivation.equation.raw:
-        moved = x + d
-    else:
-        moved = _moved_input(spec, source, x, d)
+    raw = source.name in derivation.equation.raw
+    moved = x + d if raw else _moved_input(spec, source, x, d)
     value = _evaluate(spec, derivation, inputs, {source.name: moved}, held).outputs[output]
     return ca.substitute(ca.jacobian(value, d), d, ca.SX.zeros(d.numel()))
 

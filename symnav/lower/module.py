@@ -1,4 +1,4 @@
-"""Derivations to whole modules: one per route and scalar type, with the passes each target wants."""
+"""Lowered functions to modules: one per route and scalar type, through the passes it wants."""
 
 from __future__ import annotations
 

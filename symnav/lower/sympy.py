@@ -58,9 +58,7 @@ def _eliminate_common(
     symbols = (s for s in fresh if s not in taken)
     replacements, reduced = sp.cse(expressions, symbols=symbols, order="none", list=True)
     steps: list[Step] = [(symbol, e, None) for symbol, e in replacements]
-    steps += [
-        (d.symbol, e, d.guard) for d, e in zip(definitions, reduced, strict=False)
-    ]
+    steps += [(d.symbol, e, d.guard) for d, e in zip(definitions, reduced, strict=False)]
     return _ordered(steps), list(reduced[len(definitions) :])
 
 
@@ -158,9 +156,7 @@ class _Printer:
         top = _fold(Operation.MUL, [self.expression(f) for f in over]) if over else Number(1.0)
         if not under:
             return top
-        return Call(
-            Operation.DIV, (top, _fold(Operation.MUL, [self.expression(f) for f in under]))
-        )
+        return Call(Operation.DIV, (top, _fold(Operation.MUL, [self.expression(f) for f in under])))
 
     def _power(self, e: sp.Pow) -> Expression:
         exponent = e.exp
@@ -223,7 +219,12 @@ def _is_reciprocal(e: sp.Expr) -> bool:
 def _fold(code: Operation, operands: Iterable[Expression]) -> Expression:
     """A call of many operands as nested calls of two; unary calls as they are."""
     several = list(operands)
-    if len(several) == 1 and code not in (Operation.ADD, Operation.MUL, Operation.AND, Operation.OR):
+    if len(several) == 1 and code not in (
+        Operation.ADD,
+        Operation.MUL,
+        Operation.AND,
+        Operation.OR,
+    ):
         return several[0] if code in (Operation.MIN, Operation.MAX) else Call(code, (several[0],))
     combine: Callable[[Expression, Expression], Expression] = lambda a, b: Call(code, (a, b))  # noqa: E731
     return reduce(combine, several)

@@ -1,1 +1,1 @@
-"""Verification: witnesses that differentiate on their own, references from the book, proof sheet."""
+"""Verification: independent witnesses, references from the book, and the proof sheet."""

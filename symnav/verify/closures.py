@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import reduce
-from typing import Any, Protocol
+from typing import Any, ClassVar, Protocol
 
 import sympy as sp
 from sympy.core.relational import Relational
@@ -21,7 +21,7 @@ Closure = Callable[[Environment], Number]
 class System(Protocol):
     """A number system: arithmetic by operators, the rest by these functions."""
 
-    functions: Mapping[type, Callable[..., Number]]
+    functions: ClassVar[Mapping[Any, Callable[..., Any]]]
 
     def number(self, value: sp.Expr) -> Number:
         """A literal."""

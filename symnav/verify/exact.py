@@ -90,9 +90,7 @@ class Exact:
             results[name] = self._column(arguments, held, source_output, source, 0)
         for name, (source, _) in equation.covariances.items():
             covariance = [f(self._environment(arguments, held)) for f in self._covariances[name]]
-            columns = [
-                self._column(arguments, held, first, source, j) for j in range(source.size)
-            ]
+            columns = [self._column(arguments, held, first, source, j) for j in range(source.size)]
             results[name] = _sandwich(columns, covariance)
         return results
 
@@ -140,9 +138,7 @@ class Exact:
         width = layout.error_size
         if by:
             (source,) = [s for s in self._derivation.equation.sources if s.name == by]
-            columns = [
-                self._column(arguments, held, output, source, j) for j in range(source.size)
-            ]
+            columns = [self._column(arguments, held, output, source, j) for j in range(source.size)]
             return [columns[j][i] for i in range(rows) for j in range(source.size)]
         zero = mp.mpf(0)
         dense = [[zero] * width for _ in range(rows)]

@@ -20,8 +20,8 @@ class ManyDigits:
     A float literal of an equation stands for the double it will be in C.
     """
 
-    functions: ClassVar[Mapping[type, Callable[..., Any]]] = {
-        sp.sqrt: mp.sqrt,  # type: ignore[dict-item]
+    functions: ClassVar[Mapping[Any, Callable[..., Any]]] = {
+        sp.sqrt: mp.sqrt,
         sp.sin: mp.sin,
         sp.cos: mp.cos,
         sp.tan: mp.tan,
@@ -98,8 +98,8 @@ class Graded:
 class Gradients:
     """Doubles with gradients over a batch of samples."""
 
-    functions: ClassVar[Mapping[type, Callable[..., Any]]] = {
-        sp.sqrt: lambda a: a.chain(np.sqrt(a.value), 0.5 / np.sqrt(a.value)),  # type: ignore[dict-item]
+    functions: ClassVar[Mapping[Any, Callable[..., Any]]] = {
+        sp.sqrt: lambda a: a.chain(np.sqrt(a.value), 0.5 / np.sqrt(a.value)),
         sp.sin: lambda a: a.chain(np.sin(a.value), np.cos(a.value)),
         sp.cos: lambda a: a.chain(np.cos(a.value), -np.sin(a.value)),
         sp.tan: lambda a: a.chain(np.tan(a.value), 1.0 / np.cos(a.value) ** 2),

@@ -5,6 +5,7 @@ Input: the spec, its derivations and the imported package. Output: a ``ProofShee
 
 from __future__ import annotations
 
+import importlib
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -18,11 +19,14 @@ from symnav.blocks import HeadingBlock
 from symnav.derive import Derivation, DerivedOutput
 from symnav.spec.records import Spec
 from symnav.verify.exact import DIGITS, Exact
+from symnav.verify.references import quantities
+from symnav.verify.retraction import retract as exact_retract
 from symnav.verify.sampling import Samples, draw
 from symnav.verify.scale import Scale
 from symnav.verify.sheet import Finding, ProofSheet, Row
 
 Array = NDArray[np.float64]
+Indices = NDArray[np.intp]
 #: Fifty-digit evaluations per function; they cost milliseconds each.
 EXACT_SAMPLES = 24
 BACKENDS = ("native", "numpy", "casadi")
@@ -39,7 +43,7 @@ class _Worst:
     samples: int = 0
     index: int = -1
 
-    def add(self, error: Array, scale: Array, rows: Array) -> None:
+    def add(self, error: Array, scale: Array, rows: Indices) -> None:
         """Take in errors (S, ...) at scales; ``rows`` says which samples they are."""
         self.samples += error.size
         if error.size == 0:
@@ -65,7 +69,13 @@ class _FunctionProof:
     worst: dict[tuple[str, str], _Worst] = field(default_factory=dict)
 
     def compare(
-        self, output: DerivedOutput, comparison: str, a: Array, b: Array, scale: Array, rows: Array
+        self,
+        output: DerivedOutput,
+        comparison: str,
+        a: Array,
+        b: Array,
+        scale: Array,
+        rows: Indices,
     ) -> None:
         """Record |a - b| of one output, block by block of its columns."""
         for block, columns, unit in self._blocks(output):
@@ -154,8 +164,6 @@ def prove(
 
 
 def _backend(package: Any, name: str) -> Any:
-    import importlib
-
     try:
         return importlib.import_module(f"{package.__name__}.{name}")
     except ImportError:
@@ -168,10 +176,10 @@ def _prove_function(
     derivation = proof.derivation
     flat = proof.samples.flat()
     results = {
-        name: _evaluate(getattr(module, derivation.name, None), proof.samples, derivation)
+        name: _evaluate(getattr(module, derivation.name), proof.samples, derivation)
         for name, module in backends.items()
+        if hasattr(module, derivation.name)
     }
-    results = {name: result for name, result in results.items() if result is not None}
     findings = _statuses(derivation, results)
     good = np.flatnonzero(results["numpy"].ok)
     if good.size < max(4, len(results["numpy"].ok) // 4):
@@ -201,16 +209,15 @@ class _Evaluated:
     ok: NDArray[np.bool_]
     status: NDArray[np.int64]
 
-    def get(self, output: DerivedOutput, rows: Array) -> Array:
+    def get(self, output: DerivedOutput, rows: Indices) -> Array:
         """(R, rows) or (R, rows, columns) of the samples chosen."""
         shape = (output.rows, output.columns) if output.kind == "jacobian" else (output.rows,)
         flat: Array = self.outputs[output.name].reshape(len(self.ok), *shape)
-        return flat[rows]
+        chosen: Array = flat[rows]
+        return chosen
 
 
-def _evaluate(function: Any, samples: Samples, derivation: Derivation) -> _Evaluated | None:
-    if function is None:
-        return None
+def _evaluate(function: Any, samples: Samples, derivation: Derivation) -> _Evaluated:
     result = function(**dict(samples.arguments))
     outputs = {
         o.name: np.asarray(getattr(result, o.name), dtype=np.float64) for o in derivation.outputs
@@ -245,8 +252,8 @@ def _compare_exact(
     proof: _FunctionProof,
     results: Mapping[str, _Evaluated],
     scales: Mapping[str, Array],
-    good: Array,
-    few: Array,
+    good: Indices,
+    few: Indices,
 ) -> None:
     derivation = proof.derivation
     flat = proof.samples.flat()
@@ -258,8 +265,8 @@ def _compare_exact(
             numbers = {n: [mp.mpf(float(v)) for v in a[row]] for n, a in flat.items()}
             truth = exact.outputs(numbers)
             for output in derivation.outputs:
-                derived = output.kind == "jacobian" or output.name not in derivation.equation.outputs
-                against = "differences" if derived else "50 digits"
+                plain = output.name in derivation.equation.outputs
+                against = "50 digits" if plain else "differences"
                 scale = scales[output.name][place[int(row)] : place[int(row)] + 1]
                 for name, result in results.items():
                     if name == "native_f32" and not result.ok[row]:
@@ -283,8 +290,8 @@ def _compare_reference(
     reference: Reference,
     result: _Evaluated,
     scales: Mapping[str, Array],
-    good: Array,
-    few: Array,
+    good: Indices,
+    few: Indices,
 ) -> None:
     derivation = proof.derivation
     entry = derivation.entry
@@ -295,7 +302,9 @@ def _compare_reference(
         for row in few:
             chosen = np.array([row])
             numbers = {n: [mp.mpf(float(v)) for v in a[row]] for n, a in flat.items()}
-            truth = reference(entry.model.name, _quantities(proof.spec, entry, numbers), entry.options)
+            truth = reference(
+                entry.model.name, quantities(proof.spec, entry, numbers), entry.options
+            )
             for output in derivation.outputs:
                 if output.name in truth:
                     error = _differences(result.get(output, chosen), truth[output.name])
@@ -303,12 +312,6 @@ def _compare_reference(
                     proof.compare(
                         output, "numpy vs reference", error, np.zeros_like(error), scale, chosen
                     )
-
-
-def _quantities(spec: Spec, entry: Any, numbers: Mapping[str, Any]) -> Mapping[str, Any]:
-    from symnav.verify.references import quantities
-
-    return quantities(spec, entry, numbers)
 
 
 def _prove_layout(
@@ -342,7 +345,7 @@ def _inverse_rows(spec: Spec, name: str, arguments: Mapping[str, Array], back: A
     for place in spec.layout.places.values():
         error = np.abs(back[:, place.error] - d[:, place.error])
         if isinstance(place.block, HeadingBlock):
-            error = np.abs((error + np.pi) % (2.0 * np.pi) - np.pi)
+            error = _turned_back(error)
         # An additive error is known to the rounding of the stored value it moves.
         stored = np.max(np.abs(x[:, place.storage]), axis=1, keepdims=True)
         radius = 6.4e6 if place.block.kind == "geodetic" else 0.0
@@ -351,11 +354,16 @@ def _inverse_rows(spec: Spec, name: str, arguments: Mapping[str, Array], back: A
         worst.add(error, np.broadcast_to(scale, error.shape), np.arange(len(d)))
         rows.append(
             Row(
-                f"State ({name})", place.block.name, "retract then local", worst.relative,
-                worst.absolute, worst.unit, worst.samples,
+                f"State ({name})",
+                place.block.name,
+                "retract then local",
+                worst.relative,
+                worst.absolute,
+                worst.unit,
+                worst.samples,
                 f"  State.local(x, State.retract(x, d)) at x={x[worst.index].tolist()!r}, "
                 f"d={d[worst.index].tolist()!r}",
-            )  # fmt: skip
+            )
         )
     return rows
 
@@ -363,8 +371,6 @@ def _inverse_rows(spec: Spec, name: str, arguments: Mapping[str, Array], back: A
 def _retract_rows(
     spec: Spec, retract: Derivation, arguments: Mapping[str, Array], moved: Array
 ) -> list[Row]:
-    from symnav.verify.retraction import retract as exact_retract
-
     exact = Exact(spec, retract)
     rows = []
     count = min(EXACT_SAMPLES, len(moved))
@@ -381,15 +387,26 @@ def _retract_rows(
                 )
                 got = moved[k : k + 1, place.storage]
                 error = np.abs(_differences(got, truth))
-                error = np.where(
-                    error > np.pi, np.abs((error + np.pi) % (2.0 * np.pi) - np.pi), error
-                ) if place.block.kind in ("heading", "geodetic") else error  # fmt: skip
+                if place.block.kind in ("heading", "geodetic"):
+                    error = np.where(error > np.pi, _turned_back(error), error)
                 scale = np.abs(got) + np.abs(arguments["d"][k, place.error]).max() * 1e-6 + 1.0
                 worst.add(error, scale, np.array([k]))
             rows.append(
                 Row(
-                    "State (native)", place.block.name, "retract vs 50 digits", worst.relative,
-                    worst.absolute, worst.unit, worst.samples, "",
-                )  # fmt: skip
+                    "State (native)",
+                    place.block.name,
+                    "retract vs 50 digits",
+                    worst.relative,
+                    worst.absolute,
+                    worst.unit,
+                    worst.samples,
+                    "",
+                )
             )
     return rows
+
+
+def _turned_back(angle: Array) -> Array:
+    """Size of an angle that is known up to whole turns."""
+    size: Array = np.abs((angle + np.pi) % (2.0 * np.pi) - np.pi)
+    return size

@@ -151,9 +151,7 @@ def _make_physical(spec: Spec, derivation: Derivation, arguments: dict[str, Arra
     entry = derivation.entry
     if entry is None:
         return
-    names = {
-        role: b.name for role, b in entry.bindings.items() if isinstance(b, ToInput)
-    }
+    names = {role: b.name for role, b in entry.bindings.items() if isinstance(b, ToInput)}
     if "reference_range" in names and "satellite_difference" in names:
         d = arguments[names["satellite_difference"]]
         short = np.linalg.norm(d, axis=-1, keepdims=True) < 1e6
@@ -171,7 +169,8 @@ def _overhead(arguments: dict[str, Array], satellite: str, place: slice) -> None
     """Every fourth sample: the first satellite on the line through the receiver."""
     position = arguments[STATE][::4, place]
     length = np.linalg.norm(position, axis=1, keepdims=True)
-    direction = np.where(length > 1.0, position / np.maximum(length, 1.0), np.array([0.0, 0.0, 1.0]))
+    up = np.array([0.0, 0.0, 1.0])
+    direction = np.where(length > 1.0, position / np.maximum(length, 1.0), up)
     arguments[satellite][::4, 0, :] = 2.66e7 * direction
 
 
@@ -182,7 +181,7 @@ def _integers(spec: Spec, arguments: dict[str, Array]) -> None:
 
 
 def _bounds(block: Block) -> tuple[Array, Array]:
-    return np.array(block.lower), np.array(block.upper)
+    return np.array(block.lower, dtype=np.float64), np.array(block.upper, dtype=np.float64)
 
 
 def _stored(block: RotationBlock, q: Array) -> Array:
@@ -193,7 +192,8 @@ def _stored(block: RotationBlock, q: Array) -> Array:
     w, v = q[0], q[1:]
     skew = np.array([[0.0, -v[2], v[1]], [v[2], 0.0, -v[0]], [-v[1], v[0], 0.0]])
     matrix = np.eye(3) + 2.0 * w * skew + 2.0 * skew @ skew
-    return matrix.ravel()
+    entries: Array = matrix.ravel()
+    return entries
 
 
 def _axis_angle(axis: Array, angle: float) -> Array:
@@ -202,4 +202,5 @@ def _axis_angle(axis: Array, angle: float) -> Array:
 
 
 def _unit(q: Array) -> Array:
-    return q / np.linalg.norm(q)
+    unit: Array = q / np.linalg.norm(q)
+    return unit

@@ -59,11 +59,10 @@ class Scale:
     def _magnitude(self, number: Graded | float) -> Array | float:
         if not isinstance(number, Graded):
             return abs(float(number))
-        return np.abs(number.value) + np.sum(np.abs(number.slope) * self._inputs, axis=1)
+        moved: Array = np.sum(np.abs(number.slope) * self._inputs, axis=1)
+        return np.abs(number.value) + moved
 
-    def _environment(
-        self, arguments: Mapping[str, NDArray[np.float64]]
-    ) -> dict[sp.Symbol, Graded]:
+    def _environment(self, arguments: Mapping[str, NDArray[np.float64]]) -> dict[sp.Symbol, Graded]:
         origins = [(s, o) for s, o in self._derivation.origins.items() if o.argument in arguments]
         columns = []
         for _, origin in origins:
