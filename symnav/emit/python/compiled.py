@@ -1,0 +1,136 @@
+"""The doors to compiled C: ``native.py``, with a straight way in for one epoch, and ``casadi.py``.
+
+A call for one epoch with arrays of the right type costs a microsecond, most of it in Python; so
+its checks are written out for each function, and everything else takes the general way.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from symnav import ir
+from symnav.emit.python.names import result_names
+from symnav.emit.python.shapes import is_scalar, signature_name
+from symnav.emit.python.text import call, lay_out, tuple_of
+from symnav.emit.templates import render
+
+_REALS = {ir.Scalar.DOUBLE: "float64", ir.Scalar.FLOAT: "float32"}
+
+
+@dataclass(frozen=True, slots=True)
+class Door:
+    """What the template of ``native.py`` says about one function.
+
+    Attributes:
+        name: of the function.
+        signature: where its description stands.
+        lines: of the straight way in; empty when only the general way is open.
+    """
+
+    name: str
+    signature: str
+    lines: tuple[str, ...]
+
+
+def native(module: ir.Module) -> str:
+    """Render ``native.py``, or ``native_f32.py`` for a module in single precision."""
+    results = result_names(module.functions)
+    doors = [
+        Door(
+            function.name,
+            signature_name(function),
+            () if function.column_major else tuple(_door(function, results[function.name])),
+        )
+        for function in module.functions
+    ]
+    single = module.scalar is ir.Scalar.FLOAT
+    return render(
+        "package/native.py.j2",
+        name=module.name,
+        key="native_f32" if single else "native",
+        real=_REALS[module.scalar],
+        doors=doors,
+        mapped=any(function.maximum is not None for function in module.functions),
+    )
+
+
+def casadi(module: ir.Module) -> str:
+    """Render ``casadi.py``."""
+    functions = [
+        {"name": function.name, "signature": signature_name(function)}
+        for function in module.functions
+    ]
+    return render("package/casadi.py.j2", name=module.name, functions=functions)
+
+
+def _door(function: ir.Function, result: str) -> Iterator[str]:
+    """A function that goes straight to the C when its arguments are as the C wants them."""
+    names = [argument.name for argument in function.arguments]
+    first = ["x: Any = None", "/"] if names[:1] == ["x"] else []
+    inputs = [f"{name}: Any = None" for name in names if name != "x"]
+    head = call(f"_{function.name}_call", *first, "*", *inputs, "out: Any = None", "**_other: Any")
+    yield from lay_out(head, before="def ", after=" -> Any:")
+    yield "    try:"
+    yield "        if ("
+    yield "            out is None and not _other"
+    yield from (f"            and {test}" for test in _tests(function))
+    yield "        ):"
+    for output in function.outputs:
+        yield f"            {output.name} = _empty({_shape(function, output)}, _real)"
+    if function.maximum is not None:
+        yield "            item_status = _empty(n, _byte)"
+    entry = call(f"_{function.name}_entry", *_pointers(function))
+    yield from lay_out(entry, before="if not ", after=":", depth=3)
+    items = ["item_status"] if function.maximum is not None else []
+    fields = tuple_of([*(output.name for output in function.outputs), "_OK", *items])
+    yield from lay_out(call("_tuple", f"_interface.{result}", fields), before="return ", depth=4)
+    yield "    except _UNFIT:"
+    yield "        pass"
+    state = tuple_of(["x"] if first else [])
+    known = ", ".join([*(f'"{name}": {name}' for name in names if name != "x"), "**_other"])
+    rest = call(f"_{function.name}_function.call", state, f"{{{known}}}", "out")
+    yield from lay_out(rest, before="return ", depth=1)
+
+
+def _tests(function: ir.Function) -> Iterator[str]:
+    """Conditions under which the C can read every argument where it lies."""
+    items = [argument for argument in function.arguments if argument.item]
+    if items:
+        yield f"type({items[0].name}) is _array"
+        yield f"(n := len({items[0].name})) <= {function.maximum}"
+    for argument in function.arguments:
+        if is_scalar(function, argument) and not argument.item:
+            yield f"type({argument.name}) is {'int' if argument.integer else 'float'}"
+            continue
+        kind = "_integer" if argument.integer else "_real"
+        if argument not in items[:1]:
+            yield f"type({argument.name}) is _array"
+        yield f"{argument.name}.dtype is {kind}"
+        yield f"{argument.name}.shape == {_expected(function, argument)}"
+
+
+def _expected(function: ir.Function, argument: ir.Argument) -> str:
+    axes = ["n"] if argument.item else []
+    axes += [] if is_scalar(function, argument) else [str(argument.size)]
+    return str(tuple_of(axes))
+
+
+def _shape(function: ir.Function, output: ir.Output) -> str:
+    axes = ["n"] if output.item and function.maximum is not None else []
+    axes += [str(length) for length in output.shape]
+    return axes[0] if len(axes) == 1 else str(tuple_of(axes))
+
+
+def _pointers(function: ir.Function) -> Iterator[str]:
+    for number, argument in enumerate(function.arguments):
+        kind = "_integers" if argument.integer else "_reals"
+        if is_scalar(function, argument) and not argument.item:
+            yield f"_new({kind}, ({argument.name},))"
+        else:
+            yield f"_pointer({kind}, {argument.name})"
+        if number == 0 and function.maximum is not None:
+            yield "n"
+    yield from (f"_pointer(_reals, {output.name})" for output in function.outputs)
+    if function.maximum is not None:
+        yield "_pointer(_bytes, item_status)"

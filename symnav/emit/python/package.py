@@ -1,0 +1,67 @@
+"""From a module to the Python files of its package, the NumPy kernels aside."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from symnav import ir
+from symnav.emit.python.compiled import casadi, native
+from symnav.emit.python.interface import interface
+from symnav.emit.python.names import result_names
+from symnav.emit.python.stubs import backend_stub, stub
+from symnav.emit.templates import render
+
+_STATIC = (
+    "_arrays.py",
+    "_calls.py",
+    "_compiled.py",
+    "_explain.py",
+    "_extension.py",
+    "_foreign.py",
+    "_places.py",
+    "_runtime.py",
+    "_state.py",
+)
+
+
+def emit(module: ir.Module, single: ir.Module | None = None) -> dict[str, str]:
+    """Render the package.
+
+    Args:
+        module: the functions in double precision.
+        single: those that exist in single precision as well, when any do.
+
+    Returns:
+        Every Python file but ``numpy.py``, and the stubs of all of them.
+    """
+    files = {name: render(f"package/{name}") for name in _STATIC}
+    files["native.py"] = native(module)
+    files["native.pyi"] = backend_stub(module, "native")
+    files["casadi.py"] = casadi(module)
+    files["casadi.pyi"] = backend_stub(module, "casadi")
+    if single is not None:
+        files["native_f32.py"] = native(single)
+        files["native_f32.pyi"] = stub(single, ())
+    backends = ["casadi", "native", "numpy", *(["native_f32"] if single is not None else [])]
+    files["__init__.py"] = _package(module, backends)
+    files["__init__.pyi"] = stub(module, backends)
+    files["_interface.py"] = interface(module)
+    files["numpy.pyi"] = backend_stub(module, "numpy")
+    files["py.typed"] = ""
+    return files
+
+
+def _package(module: ir.Module, backends: Sequence[str]) -> str:
+    functions = [function.name for function in module.functions]
+    stateful = bool(module.state.blocks)
+    results = list(result_names(module.functions).values()) + ["StateBlocks"] * stateful
+    own = ["BACKEND", "GuardError", "Status", *["State"] * stateful]
+    return render(
+        "package/__init__.py.j2",
+        name=module.name,
+        functions=functions,
+        results=sorted(results),
+        backends=backends,
+        stateful=stateful,
+        exported=sorted([*own, *functions, *results]),
+    )

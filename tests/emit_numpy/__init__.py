@@ -1,0 +1,1 @@
+"""Tests of the NumPy back end on hand-written modules."""
