@@ -66,13 +66,13 @@ ONE = Unit((Fraction(0),) * len(BASE))
 
 
 def parse(text: str) -> Unit:
-    """Read a unit such as ``m``, ``rad/s``, ``m/s^2`` or ``m/s^3/2``... written with * / and ^.
+    """Read a unit such as ``m``, ``rad/s``, ``m/s^2`` or ``m^1/2``, written with * / and ^.
 
     Raises:
         EquationError: for an unknown or scaled unit; the message names the SI unit to use.
     """
     result, divide = ONE, False
-    for position, token in enumerate(re.split(r"([*/])", text.replace(" ", ""))):
+    for position, token in enumerate(re.split(r"([*/])(?!\d)", text.replace(" ", ""))):
         if position % 2:
             divide = token == "/"
             continue
