@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from symnav.blocks import Block
@@ -94,6 +94,7 @@ class Entry:
         model: from the library, or made from the user's own equation.
         bindings: by role name; roles bound to none are absent.
         options: every option of the model, defaults filled in.
+        frames: frame role of the model -> name of the user's frame.
         jacobian_inputs: inputs with respect to which Jacobians are wanted as well.
         residual: True when the residual z - h is wanted (needs an input ``measured``).
         maximum: most items, for mapped models.
@@ -101,6 +102,7 @@ class Entry:
         single_difference: True when the differenced form is wanted.
         column_major: True when dense Jacobians are stored by column.
         guarded: False when checks are left out.
+        scalars: scalar types it is emitted in, ``double`` first.
     """
 
     name: str
@@ -108,6 +110,7 @@ class Entry:
     model: Model
     bindings: Mapping[str, Binding]
     options: Mapping[str, OptionValue]
+    frames: Mapping[str, str] = field(default_factory=dict)
     jacobian_inputs: tuple[str, ...] = ()
     residual: bool = False
     maximum: int | None = None
@@ -115,6 +118,7 @@ class Entry:
     single_difference: bool = False
     column_major: bool = False
     guarded: bool = True
+    scalars: tuple[str, ...] = ("double",)
 
 
 @dataclass(frozen=True)
