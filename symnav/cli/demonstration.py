@@ -74,7 +74,7 @@ def demo(ctx: click.Context, spec: str, out: Path, samples: int, seed: int, as_j
 def _show(outcome: Demonstration) -> None:
     from symnav.demo.table import summary_line, summary_table
 
-    show_columns(outcome.steps())
+    show_columns(_steps(outcome))
     click.echo()
     outcome.sheet.render(console())
     click.echo()
@@ -82,3 +82,20 @@ def _show(outcome: Demonstration) -> None:
     click.echo(f"real data: {summary_line(outcome.positioning)}")
     for sentence in outcome.positioning.shortfalls():
         click.echo(f"promise not kept: {sentence}", err=True)
+
+
+def _steps(outcome: Demonstration) -> list[tuple[str, str]]:
+    """What happened before the proof."""
+    spec = outcome.spec
+    blocks = " ".join(f"{block.name}[{block.storage_size}]" for block in spec.layout.blocks)
+    seconds = sum(outcome.generated.seconds.values())
+    extension = "no C compiler: the package runs on NumPy; symnav doctor says how to get one"
+    if outcome.built is not None:
+        extension = " and ".join(sorted(outcome.built.modules))
+    return [
+        ("model", f"{spec.name}: {blocks}"),
+        ("functions", " ".join(entry.name for entry in spec.entries)),
+        ("generate", f"{outcome.generated.package} ({seconds:.1f} s)"),
+        ("build", extension),
+        ("back end", outcome.backend),
+    ]

@@ -77,9 +77,11 @@ def build(package: Path, native: bool, as_json: bool) -> None:
     with progress() as reporter:
         result = pipeline.build(package, native=native, progress=reporter.stage)
     if as_json:
-        write_json(result.as_dict())
+        write_json({"package": package, "modules": result.modules, "compiled": result.compiled})
         return
-    click.echo(result.summary())
+    for name, module in result.modules.items():
+        what = "compiled" if name in result.compiled else "up to date"
+        click.echo(f"{package / module.name}: {what}")
 
 
 @click.command(

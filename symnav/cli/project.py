@@ -11,7 +11,7 @@ import click
 
 from symnav import __version__
 from symnav.cli.console import Verb, show_columns, write_json
-from symnav.errors import InputError
+from symnav.errors import BuildError, InputError
 
 _LIBRARIES = ("numpy", "sympy", "casadi", "cffi", "setuptools", "jinja2", "pydantic", "mpmath")
 
@@ -78,21 +78,31 @@ def doctor(as_json: bool) -> None:
         write_json(facts)
     else:
         show_columns([(name, "-" if value is None else value) for name, value in facts.items()])
-        if facts["compiler"] is None:
-            click.echo("no C compiler: generated packages run on NumPy; apt install gcc adds C")
 
 
 def _facts() -> dict[str, str | None]:
-    from symnav.build import cache_directory, compiler
+    from symnav.build import cache_directory
     from symnav.emit.templates import directory
 
-    found = compiler()
+    compiler, advice = _compiler()
     return {
         "symnav": __version__,
         "python": f"{platform.python_version()} ({sys.executable})",
         "platform": platform.platform(),
         **{library: version(library) for library in _LIBRARIES},
-        "compiler": None if found is None else str(found),
+        "compiler": compiler,
+        **({} if advice is None else {"advice": advice}),
         "templates": str(directory()),
         "cache": str(cache_directory()),
     }
+
+
+def _compiler() -> tuple[str | None, str | None]:
+    """The C compiler, or how to get one; without it, generated packages run on NumPy."""
+    from symnav.build import find_compiler
+
+    try:
+        found = find_compiler()
+    except BuildError as error:
+        return None, str(error)
+    return f"{' '.join(found.command)} ({found.identity})", None

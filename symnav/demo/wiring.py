@@ -16,11 +16,11 @@ import numpy as np
 
 from symnav import pipeline
 from symnav.blocks.vector import VectorBlock
-from symnav.build import BuildResult
+from symnav.build import BuildResult, find_compiler
 from symnav.demo.models import Array, GeneratedModels
 from symnav.demo.results import DemoResult
 from symnav.demo.run import Progress, run
-from symnav.errors import InputError
+from symnav.errors import BuildError, InputError
 from symnav.spec.records import Binding, Entry, Spec, ToInput, ToState
 from symnav.verify.sheet import ProofSheet
 
@@ -35,7 +35,7 @@ class Demonstration:
     Attributes:
         spec: the specification.
         generated: the package written.
-        built: its extension.
+        built: its extensions; None where there is no C compiler.
         sheet: the proof.
         backend: what the package runs on, ``native`` or ``numpy``.
         positioning: the receiver's positions from recorded observations.
@@ -43,7 +43,7 @@ class Demonstration:
 
     spec: Spec
     generated: pipeline.Generated
-    built: BuildResult
+    built: BuildResult | None
     sheet: ProofSheet
     backend: str
     positioning: DemoResult
@@ -53,24 +53,13 @@ class Demonstration:
         """Whether the proof holds and the promised accuracy is reached."""
         return self.sheet.passed and not self.positioning.shortfalls()
 
-    def steps(self) -> tuple[tuple[str, str], ...]:
-        """What happened before the proof, as pairs of a word and what came of it."""
-        blocks = ", ".join(f"{b.name}[{b.storage_size}]" for b in self.spec.layout.blocks)
-        functions = ", ".join(entry.name for entry in self.spec.entries)
-        return (
-            ("model", f"{self.spec.name}: {blocks}"),
-            ("generate", f"{self.generated.package}: {functions}"),
-            ("build", self.built.summary()),
-            ("import", f"{self.spec.name} on the {self.backend} back end"),
-        )
-
     def as_dict(self) -> dict[str, Any]:
         """Nested dictionaries, sequences, numbers and strings."""
         return {
             "model": self.spec.name,
             "package": self.generated.package,
             "seconds": self.generated.seconds,
-            "build": self.built.as_dict(),
+            "compiled": None if self.built is None else sorted(self.built.modules),
             "backend": self.backend,
             "proof": self.sheet.as_dict(),
             "positioning": self.positioning.as_dict(),
@@ -104,11 +93,19 @@ def demonstrate(
     loaded = pipeline.load(spec)
     entries = choose(loaded)
     generated = pipeline.generate(loaded, out, progress=stage)
-    built = pipeline.build(generated.package, progress=stage)
+    built = pipeline.build(generated.package, progress=stage) if _has_compiler() else None
     sheet = pipeline.verify(loaded, samples=samples, seed=seed, reference=None, progress=stage)
     package = pipeline.import_package(generated.package)
     positioning = run(entries.models(package), count)
     return Demonstration(loaded, generated, built, sheet, package.BACKEND, positioning)
+
+
+def _has_compiler() -> bool:
+    try:
+        find_compiler()
+    except BuildError:
+        return False
+    return True
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,10 +16,8 @@ import jinja2
 @cache
 def _environment() -> jinja2.Environment:
     """The environment every template is rendered in; an undefined name is an error."""
-    installed = files("symnav") / "templates"
-    root = Path(str(installed)) if installed.is_dir() else _checkout() / "templates"
     return jinja2.Environment(
-        loader=jinja2.FileSystemLoader(root),
+        loader=jinja2.FileSystemLoader(directory()),
         undefined=jinja2.StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
@@ -28,8 +26,10 @@ def _environment() -> jinja2.Environment:
     )
 
 
-def _checkout() -> Path:
-    return Path(__file__).resolve().parents[2]
+def directory() -> Path:
+    """Where the templates are."""
+    installed = Path(str(files("symnav") / "templates"))
+    return installed if installed.is_dir() else Path(__file__).resolve().parents[2] / "templates"
 
 
 def render(template: str, **context: object) -> str:
