@@ -122,10 +122,10 @@ class Guards:
         self.item = self._note(self.item, passed, status)
         return self._xp.where(passed, value, substitute)
 
-    def pick(self, array: Array, base: int, index: Array, indices: range) -> Array:
+    def pick(self, array: Array, base: int, index: Array, first: int, last: int) -> Array:
         """Element ``base + index`` of an array, for an index that depends on the item."""
-        chosen = array[..., base + indices[0]]
-        for number in indices[1:]:
+        chosen = array[..., base + first]
+        for number in range(first + 1, last + 1):
             chosen = self._xp.where(index == number, array[..., base + number], chosen)
         return chosen
 

@@ -118,8 +118,8 @@ class _Writer:
         name = self._claim(f"{domain.name}_of_item")
         self._elements[load] = name
         slot = self._elements[offset.slot]
-        indices = slot_range(self._function, offset, argument.size)
-        parts = [load.argument, str(offset.base), slot, f"range({indices[0]}, {indices[1] + 1})"]
+        ends = map(str, slot_range(self._function, offset, argument.size))
+        parts = [load.argument, str(offset.base), slot, *ends]
         yield from lay_out(call("guards.pick", *parts), before=f"{name} = ", depth=1)
 
     def _guard(self, check: ir.Check, target: str, value: str, method: str) -> Iterator[str]:

@@ -10,8 +10,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from symnav import ir
+from symnav.emit.c.target import target_of
 from symnav.emit.python.names import result_names
-from symnav.emit.python.shapes import is_scalar, signature_name
+from symnav.emit.python.shapes import entries, is_scalar, signature_name
 from symnav.emit.python.text import call, lay_out, tuple_of
 from symnav.emit.templates import render
 
@@ -44,22 +45,19 @@ def native(module: ir.Module) -> str:
         )
         for function in module.functions
     ]
-    single = module.scalar is ir.Scalar.FLOAT
     return render(
         "package/native.py.j2",
-        name=module.name,
-        key="native_f32" if single else "native",
+        prefix=target_of(module).prefix,
         real=_REALS[module.scalar],
         doors=doors,
-        mapped=any(function.maximum is not None for function in module.functions),
     )
 
 
 def casadi(module: ir.Module) -> str:
-    """Render ``casadi.py``."""
+    """Render ``casadi.py``, for all but the maps of the state."""
     functions = [
         {"name": function.name, "signature": signature_name(function)}
-        for function in module.functions
+        for function in entries(module)
     ]
     return render("package/casadi.py.j2", name=module.name, functions=functions)
 

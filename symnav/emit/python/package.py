@@ -8,6 +8,7 @@ from symnav import ir
 from symnav.emit.python.compiled import casadi, native
 from symnav.emit.python.interface import interface
 from symnav.emit.python.names import result_names
+from symnav.emit.python.shapes import entries
 from symnav.emit.python.stubs import backend_stub, stub
 from symnav.emit.templates import render
 
@@ -36,9 +37,9 @@ def emit(module: ir.Module, single: ir.Module | None = None) -> dict[str, str]:
     """
     files = {name: render(f"package/{name}") for name in _STATIC}
     files["native.py"] = native(module)
-    files["native.pyi"] = backend_stub(module, "native")
+    files["native.pyi"] = backend_stub(module.functions)
     files["casadi.py"] = casadi(module)
-    files["casadi.pyi"] = backend_stub(module, "casadi")
+    files["casadi.pyi"] = backend_stub(entries(module))
     if single is not None:
         files["native_f32.py"] = native(single)
         files["native_f32.pyi"] = stub(single, ())
@@ -46,7 +47,7 @@ def emit(module: ir.Module, single: ir.Module | None = None) -> dict[str, str]:
     files["__init__.py"] = _package(module, backends)
     files["__init__.pyi"] = stub(module, backends)
     files["_interface.py"] = interface(module)
-    files["numpy.pyi"] = backend_stub(module, "numpy")
+    files["numpy.pyi"] = backend_stub(module.functions)
     files["py.typed"] = ""
     return files
 

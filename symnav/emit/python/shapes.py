@@ -7,6 +7,11 @@ import math
 from symnav import errors, ir
 
 
+def entries(module: ir.Module) -> tuple[ir.Function, ...]:
+    """The measurements and corrections of a module, without the maps of the state."""
+    return tuple(function for function in module.functions if not is_vector_map(function))
+
+
 def is_vector_map(function: ir.Function) -> bool:
     """True for the maps of the state, whose arguments keep their axis even for one element."""
     return function.role in (ir.Role.RETRACT, ir.Role.LOCAL)

@@ -44,12 +44,11 @@ def stub(module: ir.Module, backends: Sequence[str]) -> str:
     )
 
 
-def backend_stub(module: ir.Module, title: str) -> str:
-    """Render the stub of a back end whose functions are those of the package."""
-    functions = [
-        {"name": function.name, "form": form_name(function)} for function in module.functions
-    ]
-    return render("package/backend.pyi.j2", title=title, functions=functions)
+def backend_stub(functions: Sequence[ir.Function]) -> str:
+    """Render the stub of a back end whose functions are typed like those of the package."""
+    listed = [{"name": function.name, "form": form_name(function)} for function in functions]
+    forms = sorted(form_name(function) for function in functions)
+    return render("package/backend.pyi.j2", functions=listed, forms=forms)
 
 
 def _fields(function: ir.Function) -> Iterator[str]:
