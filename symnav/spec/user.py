@@ -23,7 +23,7 @@ from symnav.graph import Graph
 from symnav.naming import Use
 from symnav.quantities import Quantity, let
 from symnav.spec.declarations import Frames, check_unit
-from symnav.spec.expressions import Evaluator, normal_form, parse
+from symnav.spec.expressions import Evaluator, names, normal_form, parse
 from symnav.spec.problems import Problems
 from symnav.spec.records import Binding, ToInput, ToState
 from symnav.spec.schema import EntryTable
@@ -59,23 +59,28 @@ class TextEquation:
         """Evaluate every expression, hand every mistake over, and join what came out."""
         terms: dict[str, Quantity] = {}
         evaluator = Evaluator(graph, values, terms)
-        sound = True
+        broken: set[str] = set()
 
         def value(key: str, text: str) -> Quantity | None:
-            nonlocal sound
+            """The quantity, or None for a mistake and for what reads a broken let."""
+            tree = parse(text)
+            if not broken.isdisjoint(names(tree)):
+                return None
             try:
-                return evaluator.quantity(parse(text))
+                return evaluator.quantity(tree)
             except EquationError as error:
                 on_error(key, error)
-                sound = False
                 return None
 
         for name, text in self.lets:
             term = value(f"let.{name}", text)
-            if term is not None:
+            if term is None:
+                broken.add(name)
+            else:
                 terms[name] = let(name, term)
         parts = [value(f"equation[{k}]", text) for k, text in enumerate(self.components)]
         known = [part for part in parts if part is not None]
+        sound = not broken and len(known) == len(parts)
         return self._join(known, on_error) if sound else None
 
     def _join(self, parts: list[Quantity], on_error: OnError) -> Quantity | None:
