@@ -125,7 +125,7 @@ def emit(spec: Spec, derived: Derived) -> dict[str, str]:
     text = {**c.emit(double), **numpy.emit(vectorised), **python.emit(double)}
     if "float" in spec.scalars:
         text |= c.emit(module(spec, c_functions, ir.Scalar.FLOAT))
-    return text | casadi_witness.sources(spec, derived.entries)
+    return text | casadi_witness.sources(spec, everything)
 
 
 def generate(spec: Spec, out: Path, progress: Progress = _silent) -> Generated:

@@ -51,8 +51,8 @@ def lower(spec: Spec, derivation: Derivation) -> ir.Function:
         AssertionError: when CasADi gives an instruction the representation does not know.
     """
     parts = _Parts(derivation)
-    shared = parts.lower(item=False)
-    item = parts.lower(item=True) if derivation.mapped else _Lowered((), {})
+    shared = parts.lower(item=False, joins={})
+    item = parts.lower(item=True, joins=shared.results) if derivation.mapped else _NOTHING
     values = {
         output.name: {key: parts.value(e, shared, item) for key, e in output.entries.items()}
         for output in derivation.outputs
@@ -71,6 +71,9 @@ class _Lowered:
 
     steps: tuple[ir.Step, ...]
     results: Mapping[sp.Expr, Expression]
+
+
+_NOTHING = _Lowered((), {})
 
 
 @dataclass
@@ -114,13 +117,13 @@ class _Parts:
     def _item_argument(self, symbol: sp.Basic) -> bool:
         return symbol in self.derivation.item_symbols
 
-    def lower(self, *, item: bool) -> _Lowered:
-        """Steps and results of the shared or of the item part."""
+    def lower(self, *, item: bool, joins: Mapping[sp.Expr, Expression]) -> _Lowered:
+        """Steps and results of the shared or of the item part, which reads ``joins``."""
         definitions = [d for d in self.derivation.definitions if d.item == item]
         results = self._results(item)
         if not item:
             results += self._joins(definitions)
-        return _PartLowering(self, definitions, results).run()
+        return _PartLowering(self, definitions, results, joins).run()
 
     def _results(self, item: bool) -> list[sp.Expr]:
         """Output elements this part computes; arguments and numbers are left to ``_atom``."""
@@ -148,11 +151,16 @@ class _PartLowering:
     """One part: definitions to SX, SX to instructions, instructions to steps."""
 
     def __init__(
-        self, parts: _Parts, definitions: Sequence[Definition], results: Sequence[sp.Expr]
+        self,
+        parts: _Parts,
+        definitions: Sequence[Definition],
+        results: Sequence[sp.Expr],
+        joins: Mapping[sp.Expr, Expression],
     ) -> None:
         self._parts = parts
         self._definitions = definitions
         self._results = results
+        self._joins = joins
         self._inputs: dict[str, tuple[ca.SX, Expression]] = {}
         self._table: dict[sp.Symbol, ca.SX] = {}
 
@@ -192,7 +200,7 @@ class _PartLowering:
         """A symbol of another part (a join) or an argument."""
         if symbol in self._parts.derivation.origins:
             return self._input(symbol.name, self._parts.load(symbol))
-        return self._input(symbol.name, Ref(symbol.name))
+        return self._input(symbol.name, self._joins[symbol])
 
     def _input(self, name: str, expression: Expression) -> ca.SX:
         if name not in self._inputs:

@@ -218,7 +218,12 @@ class _Evaluated:
 
 
 def _evaluate(function: Any, samples: Samples, derivation: Derivation) -> _Evaluated:
-    result = function(**dict(samples.arguments))
+    result = function(
+        **{
+            name: a[..., 0] if name != STATE and a.shape[-1] == 1 else a
+            for name, a in samples.arguments.items()
+        }
+    )
     outputs = {
         o.name: np.asarray(getattr(result, o.name), dtype=np.float64) for o in derivation.outputs
     }
@@ -231,9 +236,14 @@ def _evaluate(function: Any, samples: Samples, derivation: Derivation) -> _Evalu
 
 
 def _statuses(derivation: Derivation, results: Mapping[str, _Evaluated]) -> list[Finding]:
+    """Back ends must agree on which samples are outside the domain.
+
+    CasADi's own C has no guards on intermediate values, and single precision meets the limits of
+    the ranges elsewhere; neither is asked.
+    """
     findings = []
     for name, result in results.items():
-        if name in ("native_f32", "numpy"):
+        if name != "native":
             continue
         different = np.flatnonzero(result.status != results["numpy"].status)
         if different.size:
@@ -329,13 +339,17 @@ def _prove_layout(
     for name, module in backends.items():
         if name in ("casadi", "native_f32"):
             continue
-        state = module.State
         extra = {key: value for key, value in arguments.items() if key not in (STATE, "d")}
-        moved = np.asarray(state.retract(arguments[STATE], arguments["d"], **extra))
-        back = np.asarray(state.local(arguments[STATE], moved, **extra))
-        rows += _inverse_rows(spec, name, arguments, back)
+        x = arguments[STATE]
+        step = module.retract(x, d=arguments["d"], **extra)
+        # A state moved out of its declared range is retracted, but has no local coordinates.
+        whole = np.where(np.isnan(step.value), x, step.value)
+        back = module.local(x, y=whole, **extra)
+        inside = np.flatnonzero((np.asarray(step.status) == 0) & (np.asarray(back.status) == 0))
+        chosen = {key: value[inside] for key, value in arguments.items()}
+        rows += _inverse_rows(spec, name, chosen, np.asarray(back.value)[inside])
         if name == "native":
-            rows += _retract_rows(spec, retract, arguments, moved)
+            rows += _retract_rows(spec, retract, chosen, np.asarray(step.value)[inside])
     return rows
 
 
