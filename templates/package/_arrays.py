@@ -230,14 +230,10 @@ class ArrayFunction(Function):
         self, xp: ModuleType, part: Part, arrays: Sequence[Array], extent: Extent
     ) -> Computed:
         """Runs the kernel and assembles its non-zeros."""
-        guards, expanded = self.guard(xp, arrays)
-        wide = [
-            xp.asarray(array, dtype=guards.real) if argument.integer else array
-            for argument, array in zip(self.signature.arguments, expanded, strict=True)
-        ]
+        guards, wide = self.guard(xp, arrays)
         complex_ = any(xp.isdtype(array.dtype, "complex floating") for array in wide)
         found = self._kernel(ComplexStep(xp) if complex_ else xp, guards, *wide)
-        named = dict(zip(self.signature.names, expanded, strict=True))
+        named = dict(zip(self.signature.names, wide, strict=True))
         dtype = xp.result_type(*(array.dtype for array in wide))
         assemble = _fill if xp is np else _stack
         outputs = []
@@ -251,18 +247,19 @@ class ArrayFunction(Function):
         return self.computed(xp, outputs, guards, extent)
 
     def guard(self, xp: ModuleType, arrays: Sequence[Array]) -> tuple[Guards, list[Array]]:
-        """Lines shared arguments up with items and checks every argument."""
+        """Makes all arguments real, lines shared ones up with items and checks every one."""
         kinds = ("real floating", "complex floating")
         floats = [array.dtype for array in arrays if xp.isdtype(array.dtype, kinds)]
         guards = Guards(xp, xp.result_type(*floats) if floats else xp.asarray(0.0).dtype)
-        expanded = []
-        for argument, array in zip(self.signature.arguments, arrays, strict=True):
+        wide = []
+        for argument, given in zip(self.signature.arguments, arrays, strict=True):
+            array = xp.asarray(given, dtype=guards.real) if argument.integer else given
             if self.signature.mapped and not argument.item:
                 array = array[..., None] if argument.scalar else array[..., None, :]
-            expanded.append(array)
+            wide.append(array)
             if self.signature.guarded or argument.integer:
                 guards.load(argument, ComplexStep(xp).real(array))
-        return guards, expanded
+        return guards, wide
 
     def computed(
         self, xp: ModuleType, outputs: list[Array], guards: Guards, extent: Extent
@@ -388,10 +385,12 @@ def _stack(
 def _subtract(xp: ModuleType, output: Output, array: Array, reference: int) -> Array:
     axis = -1 - len(output.shape)
     lead = (slice(None),) * (array.ndim + axis)
-    return _without(xp, array, reference, axis) - array[(*lead, slice(reference, reference + 1))]
+    return (
+        _without(xp, array, reference, axis) - array[(*lead, slice(reference, reference + 1), ...)]
+    )
 
 
 def _without(xp: ModuleType, array: Array, reference: int, axis: int) -> Array:
     lead = (slice(None),) * (array.ndim + axis)
     before, after = slice(0, reference), slice(reference + 1, None)
-    return xp.concat([array[(*lead, before)], array[(*lead, after)]], axis=axis)
+    return xp.concat([array[(*lead, before, ...)], array[(*lead, after, ...)]], axis=axis)

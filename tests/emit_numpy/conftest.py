@@ -1,34 +1,30 @@
-"""Packages written from hand-made modules, and arguments to call them with."""
+"""The package every test of this folder calls."""
 
 from __future__ import annotations
 
-import importlib
-import sys
-from collections.abc import Callable, Iterator
-from pathlib import Path
 from types import ModuleType
 
+import numpy as np
 import pytest
 
 from symnav import ir
-from symnav.emit import numpy as numpy_target
-from symnav.emit import python as python_target
-from tests.emit_numpy import modules
+from tests.emit_numpy import modules, packages
 
 
-def write(module: ir.Module, folder: Path) -> Path:
-    """Writes the Python files of a package below a folder."""
-    package = folder / module.name
-    for path, text in {**python_target.emit(module), **numpy_target.emit(module)}.items():
-        file = package / path
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(text, encoding="utf-8")
-    return package
+@pytest.fixture(scope="session")
+def module() -> ir.Module:
+    """All hand-written functions."""
+    return modules.module()
 
 
-def load(package: Path, name: str) -> ModuleType:
-    """Imports a package from its folder under a name of its own."""
-    parent = importlib.machinery.ModuleSpec(package.parent.name, None, is_package=True)
-    parent.submodule_search_locations = [str(package.parent)]
-    sys.modules.setdefault(package.parent.name, importlib.util.module_from_spec(parent))
-    return importlib.import_module(f"{package.parent.name}.{name}")
+@pytest.fixture(scope="session")
+def package(module: ir.Module, tmp_path_factory: pytest.TempPathFactory) -> ModuleType:
+    """Their package, imported."""
+    folder = tmp_path_factory.mktemp("packages") / module.name
+    return packages.load(packages.write(packages.text_of(module), folder))
+
+
+@pytest.fixture
+def rng() -> np.random.Generator:
+    """The same numbers in every run."""
+    return np.random.default_rng(20240229)

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from symnav import ir
 
 Op = ir.Operation
-Elements = Mapping[str, Sequence[float]]
+Elements = Mapping[str, list[float]]
 
 _ARITHMETIC: Mapping[ir.Operation, Callable[..., float | bool]] = {
     Op.ADD: operator.add,
@@ -116,14 +116,20 @@ def _overall(function: ir.Function, shared: ir.Status, items: list[ir.Status]) -
 
 
 def _load(function: ir.Function, scope: _Scope, arguments: Sequence[ir.Argument]) -> None:
-    """Ranges of all arguments first, then norms; integers are always checked."""
+    """Ranges of all arguments first, then norms; integers are always checked.
+
+    An element out of its range is replaced, so that the arithmetic that follows is defined.
+    """
     watched = [a for a in arguments if function.guarded or a.integer]
     for argument in watched:
         for domain in argument.domains:
-            part = _part(scope, argument, domain)
-            bounds = zip(part, domain.lower, domain.upper, strict=True)
-            if not all(math.isfinite(v) and low <= v <= high for v, low, high in bounds):
-                scope.note(ir.Status.RANGE)
+            for number, (low, high) in enumerate(zip(domain.lower, domain.upper, strict=True)):
+                value = scope.elements[argument.name][domain.start + number]
+                if not (math.isfinite(value) and low <= value <= high):
+                    scope.note(ir.Status.RANGE)
+                    scope.elements[argument.name][domain.start + number] = min(max(1, low), high)
+    if scope.status is not ir.Status.OK:
+        return
     for argument in watched:
         for domain in argument.domains:
             if _skew(domain, _part(scope, argument, domain)) > domain.tolerance:

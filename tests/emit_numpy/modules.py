@@ -234,11 +234,11 @@ def gps() -> ir.Function:
     )
     matrix: list[list[ir.Expression]] = [[ref(f"r{i}{j}") for j in range(3)] for i in range(3)]
     turned = rotated(matrix, arm)
-    # -R [l]x, column by column
+    # R [l]x, column by column
     cross: list[list[ir.Expression]] = [
-        [sub(mul(row[2], arm[1]), mul(row[1], arm[2])) for row in matrix],
-        [sub(mul(row[0], arm[2]), mul(row[2], arm[0])) for row in matrix],
-        [sub(mul(row[1], arm[0]), mul(row[0], arm[1])) for row in matrix],
+        [sub(mul(row[1], arm[2]), mul(row[2], arm[1])) for row in matrix],
+        [sub(mul(row[2], arm[0]), mul(row[0], arm[2])) for row in matrix],
+        [sub(mul(row[0], arm[1]), mul(row[1], arm[0])) for row in matrix],
     ]
     jacobian: list[tuple[tuple[int, ...], ir.Expression]] = []
     for i in range(3):
