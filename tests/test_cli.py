@@ -292,6 +292,7 @@ def test_check_needs_a_package(folder: Path) -> None:
     (folder / "empty").mkdir()
     assert run("check", "empty").exit_code == 2
     assert run("check", "nowhere").exit_code == 2
+    assert run("build", "empty").exit_code == 2
 
 
 def test_build_and_verify(small: Small) -> None:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from symnav.cli.console import Verb, progress, show_columns, write_json
+from symnav.cli.console import Verb, progress, write_json
 from symnav.errors import HandEditedError, StaleError
 
 _EXIT_CODES = {"fresh": 0, "stale": StaleError.exit_code, "hand-edited": HandEditedError.exit_code}
@@ -74,6 +74,7 @@ def build(package: Path, native: bool, as_json: bool) -> None:
     """
     from symnav import pipeline
 
+    pipeline.check(package)  # refuses what is no generated package
     with progress() as reporter:
         result = pipeline.build(package, native=native, progress=reporter.stage)
     if as_json:
@@ -105,8 +106,10 @@ def check(ctx: click.Context, package: Path, spec: str | None, as_json: bool) ->
 
     report = pipeline.check(package, None if spec is None else pipeline.load(spec))
     if as_json:
-        write_json({"package": package, "state": report.state, "files": report.files})
+        found = {"state": report.state, "files": report.files, "reasons": report.reasons}
+        write_json({"package": package, **found})
     else:
         click.echo(f"{package}: {report.state}")
-        show_columns([("", file) for file in report.files])
+        for reason in report.reasons:
+            click.echo(f"  {reason}")
     ctx.exit(_EXIT_CODES[report.state])
