@@ -170,7 +170,8 @@ def pseudorange(**more: object) -> ir.Function:
         for column in range(3)
     ]
     item += [ir.Statement(f"b{column}", body[column]) for column in range(3)]
-    value = add("range", "clock", ir.Load("correction", 0), mul("height", 1e-3))
+    spare = ir.Load("x", ir.Offset(9, ir.Load("slot", 0)))
+    value = add("range", "clock", ir.Load("correction", 0), mul("height", 1e-3), mul(spare, 0.5))
     jacobian: list[tuple[tuple[int | ir.Offset, ...], Expression | float | str]] = [
         ((axis,), f"u{name}") for axis, name in enumerate("xyz")
     ]

@@ -11,11 +11,12 @@ from symnav.emit.c.names import Names
 
 # Parameters and locals of the entry points and of the functions they call.
 LOCALS = frozenset(
-    """
-    base block common count covariance dense epoch epochs evaluated failed first i in item
-    item_status k lane loaded matrix minus n nonzeros out outcome outside own reference rest result
-    row shared sigma skewed status stride
-    """.split()  # noqa: SIM905 - a table of words reads better than a list of literals
+    (
+        *("base", "block", "common", "count", "covariance", "dense", "epoch", "epochs"),
+        *("evaluated", "first", "i", "in", "item", "item_status", "k", "lane", "loaded"),
+        *("matrix", "minus", "n", "nonzeros", "out", "outcome", "outside", "own", "reference"),
+        *("rest", "result", "row", "shared", "sigma", "skewed", "status", "stride"),
+    )
 )
 
 Holder = TypeVar("Holder", bound=ir.Step | ir.Entry)
@@ -50,11 +51,14 @@ def _holder(holder: Holder, renamed: Mapping[str, str]) -> Holder:
 
 
 def _entry(entry: ir.Entry, renamed: Mapping[str, str]) -> ir.Entry:
-    index = tuple(
-        replace(step, slot=_load(step.slot, renamed)) if isinstance(step, ir.Offset) else step
-        for step in entry.index
-    )
+    index = tuple(_index(step, renamed) for step in entry.index)
     return replace(_holder(entry, renamed), index=index)
+
+
+def _index(index: int | ir.Offset, renamed: Mapping[str, str]) -> int | ir.Offset:
+    if isinstance(index, ir.Offset):
+        return replace(index, slot=_load(index.slot, renamed))
+    return index
 
 
 def _expression(expression: ir.Expression, renamed: Mapping[str, str]) -> ir.Expression:
@@ -67,4 +71,4 @@ def _expression(expression: ir.Expression, renamed: Mapping[str, str]) -> ir.Exp
 
 
 def _load(load: ir.Load, renamed: Mapping[str, str]) -> ir.Load:
-    return replace(load, argument=renamed[load.argument])
+    return ir.Load(renamed[load.argument], _index(load.index, renamed))

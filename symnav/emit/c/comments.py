@@ -55,15 +55,16 @@ def code(text: str, depth: int = 1, remark: str = "") -> list[str]:
         return lines
     if len(lines) == 1 and len(lines[0]) + 2 + len(note) <= WIDTH:
         return [f"{lines[0]}  {note}"]
-    return [*(f"{indent}{line}" for line in _wrapped_aside(remark, len(indent))), *lines]
+    return [*(f"{indent}{line}" for line in block(remark, WIDTH - len(indent))), *lines]
 
 
-def _wrapped_aside(remark: str, indent: int) -> list[str]:
+def block(text: str, width: int = WIDTH, mark: str = "/*") -> list[str]:
     """A comment on as many lines as it needs."""
-    lines = textwrap.wrap(harmless(remark), width=WIDTH - indent - 6)
-    lines[0] = f"/* {lines[0]}"
+    lead = len(mark) + 1
+    lines = textwrap.wrap(harmless(text), width=width - lead - 3)
+    lines[0] = f"{mark} {lines[0]}"
     lines[-1] = f"{lines[-1]} */"
-    return [lines[0], *(f"   {line}" for line in lines[1:])]
+    return [lines[0], *(" " * lead + line for line in lines[1:])]
 
 
 def _broken(text: str, indent: str) -> list[str]:

@@ -12,6 +12,7 @@ from symnav.emit.c.entry_points import Single
 from symnav.emit.c.header import Section, functions_header, types_header
 from symnav.emit.c.kernel import Kernel
 from symnav.emit.c.mapped import Mapped
+from symnav.emit.c.slots import refuse_slots_beyond
 from symnav.emit.c.target import Target, target_of
 from symnav.emit.templates import render
 
@@ -42,9 +43,12 @@ def emit(module: ir.Module) -> dict[str, str]:
         function its kernel and its entry points, below ``c/src/``.
 
     Raises:
-        InputError: when two functions would share a symbol, or a constant does not fit the type.
+        InputError: when two functions would share a symbol, a constant does not fit the type, or a
+            slot reaches beyond what it addresses.
     """
     target = target_of(module)
+    for function in module.functions:
+        refuse_slots_beyond(function)
     kernels = [
         Kernel(target, with_free_names(function), f"{target.prefix}_{function.name}")
         for function in module.functions

@@ -176,8 +176,8 @@ class Single:
         return call(f"{self.kernel.local}_load", [*sources, *(["&in"] if struct else [])])
 
     def _evaluate(self) -> str:
-        struct = self.kernel.inputs.struct(item=False)
-        return call(f"{self.kernel.local}_kernel", [*(["&in"] if struct else []), "&out"])
+        given = ["&in"] if self.kernel.main_reads_input else []
+        return call(f"{self.kernel.local}_kernel", [*given, "&out"])
 
     def _block(self) -> Struct:
         macro = f"{self.kernel.symbol.upper()}_LANES"

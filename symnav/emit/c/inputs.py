@@ -7,7 +7,7 @@ a NaN, and a caller that lets an input and an output overlap by mistake cannot c
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from symnav import ir
@@ -15,6 +15,7 @@ from symnav.emit.c import comments
 from symnav.emit.c.literals import integer_bounds
 from symnav.emit.c.names import Names, identifier
 from symnav.emit.c.pieces import Field, Routine, Struct, head
+from symnav.emit.c.slots import Span, reach, spans_of
 from symnav.emit.c.target import Target
 
 INPUT_POINTER = "in"
@@ -26,12 +27,16 @@ _LOCALS = ("stride", "dense", "nonzeros", "reference", "k")
 
 @dataclass(frozen=True, slots=True)
 class Element:
-    """One element of an argument, with its domain and the field that holds its copy."""
+    """One element of an argument, with its domain and the field that holds its copy.
+
+    Where a slot chooses among neighbours, the field is an array and ``span`` says of which.
+    """
 
     argument: ir.Argument
     domain: ir.Domain
     index: int
     field: str
+    span: Span | None = None
 
     @property
     def load(self) -> ir.Load:
@@ -62,6 +67,7 @@ class Inputs:
     name: str
     table: Mapping[ir.Load, Element]
     copied: frozenset[ir.Load]
+    chosen: Mapping[ir.Load, Span]
     guarded: bool
 
     @property
@@ -71,16 +77,28 @@ class Inputs:
 
     def place(self, load: ir.Load, *, pointers: bool = True) -> str:
         """C text of the copy of an element, through a pointer or in a local structure."""
+        if isinstance(load.index, ir.Offset):
+            return self._chosen(load, load.index, pointers=pointers)
         element = self.table[load]
         base = ITEM_POINTER if element.argument.item else INPUT_POINTER
-        return f"{base}{'->' if pointers else '.'}{element.field}"
+        place = f"[{element.index - element.span.start}]" if element.span else ""
+        return f"{base}{'->' if pointers else '.'}{element.field}{place}"
+
+    def is_per_item(self, load: ir.Load) -> bool:
+        """True for an element of an argument that has one row per item."""
+        return any(a.name == load.argument and a.item for a in self.arguments)
+
+    def is_integer(self, load: ir.Load) -> bool:
+        """True for an element of an integer argument."""
+        return any(a.name == load.argument and a.integer for a in self.arguments)
 
     def struct(self, *, item: bool) -> Struct:
         """The structure of the copies of one call, or of one item."""
-        fields = tuple(
+        fields = dict.fromkeys(
             Field(
                 type="int32_t" if element.argument.integer else self.target.real,
                 name=element.field,
+                length=str(element.span.stop - element.span.start) if element.span else "",
                 remark=_where(element.domain),
             )
             for element in self._copied(item=item)
@@ -88,7 +106,7 @@ class Inputs:
         kind, scope = ("item", "one item of ") if item else ("input", "")
         brief = f"Inputs of {scope}{self.name} as its kernel reads them"
         state = ", each finite and inside its declared range." if self.guarded else ", unchecked."
-        return Struct(f"{self.name}_{kind}_t", brief + state, fields)
+        return Struct(f"{self.name}_{kind}_t", brief + state, tuple(fields))
 
     def loader(self, *, item: bool) -> Routine:
         """The function that checks and copies the inputs of one call, or of one item."""
@@ -127,6 +145,16 @@ class Inputs:
                 if element.domain.kind in (ir.Kind.QUATERNION, ir.Kind.MATRIX):
                     names.add(f"is_skewed_{element.domain.kind.value}")
         return names
+
+    def _chosen(self, load: ir.Load, offset: ir.Offset, *, pointers: bool) -> str:
+        """The copy that a slot chooses."""
+        span = self.chosen[load]
+        first = self.table[ir.Load(load.argument, span.start)]
+        base = ITEM_POINTER if first.argument.item else INPUT_POINTER
+        slot = self.place(offset.slot, pointers=pointers)
+        distance = offset.base - span.start
+        index = f"{slot} {'+' if distance > 0 else '-'} {abs(distance)}" if distance else slot
+        return f"{base}{'->' if pointers else '.'}{first.field}[{index}]"
 
     def _is_copied(self, element: Element) -> bool:
         return element.load in self.copied
@@ -167,8 +195,7 @@ class Inputs:
 
     def _loading_element(self, element: Element) -> list[str]:
         source = f"{element.argument.name}[{element.index}]"
-        pointer = ITEM_POINTER if element.argument.item else INPUT_POINTER
-        copy = f"{pointer}->{element.field}" if self._is_copied(element) else ""
+        copy = self.place(element.load) if self._is_copied(element) else ""
         if element.argument.integer:
             low, high = integer_bounds(element.lower, element.upper)
             take, test = "take_index", "is_index_outside"
@@ -201,7 +228,7 @@ class Inputs:
         return comments.code(f"return {text};")
 
 
-def inputs_of(function: ir.Function, target: Target, loads: Iterable[ir.Load]) -> Inputs:
+def inputs_of(function: ir.Function, target: Target, loads: Collection[ir.Load]) -> Inputs:
     """Name the inputs of a function.
 
     Args:
@@ -209,27 +236,65 @@ def inputs_of(function: ir.Function, target: Target, loads: Iterable[ir.Load]) -
         target: the tree.
         loads: every load of its bodies and outputs.
     """
-    copied = set(loads)
+    spans = spans_of(function, loads)
+    chosen = {load: _span_of(function, load, spans) for load in loads if _is_moving(load)}
     names = Names(_LOCALS)
+    fields: dict[Span, str] = {}
     table: dict[ir.Load, Element] = {}
     for argument in function.arguments:
         for domain in argument.domains:
-            if function.guarded and domain.kind in (ir.Kind.QUATERNION, ir.Kind.MATRIX):
-                span = range(domain.start, domain.start + domain.size)
-                copied |= {ir.Load(argument.name, index) for index in span}
             for offset in range(domain.size):
-                wish = _wish(argument, domain, offset)
-                element = Element(argument, domain, domain.start + offset, names.claim(wish))
+                index = domain.start + offset
+                span = _span_around(spans, argument, index)
+                if span is None:
+                    field = names.claim(_wish(argument, domain, offset))
+                else:
+                    field = fields.get(span) or names.claim(f"{_stem(argument, domain)}_by_slot")
+                    fields[span] = field
+                element = Element(argument, domain, index, field, span)
                 table[element.load] = element
-    return Inputs(target, function.name, table, frozenset(copied), function.guarded)
+    copied = {load for load in loads if load in table} | _normed(function)
+    copied |= {load for load, element in table.items() if element.span}
+    return Inputs(target, function.name, table, frozenset(copied), chosen, function.guarded)
+
+
+def _is_moving(load: ir.Load) -> bool:
+    return isinstance(load.index, ir.Offset)
+
+
+def _span_of(function: ir.Function, load: ir.Load, spans: Iterable[Span]) -> Span:
+    """The array a load chooses from."""
+    assert isinstance(load.index, ir.Offset)
+    first, _ = reach(function, load.index)
+    return next(s for s in spans if s.argument == load.argument and s.start <= first < s.stop)
+
+
+def _span_around(spans: Iterable[Span], argument: ir.Argument, index: int) -> Span | None:
+    around = (s for s in spans if s.argument == argument.name and s.start <= index < s.stop)
+    return next(around, None)
+
+
+def _normed(function: ir.Function) -> set[ir.Load]:
+    """Elements whose norm is checked; their copies are what the check reads."""
+    return {
+        ir.Load(argument.name, index)
+        for argument in function.arguments
+        for domain in argument.domains
+        if function.guarded and domain.kind in (ir.Kind.QUATERNION, ir.Kind.MATRIX)
+        for index in range(domain.start, domain.start + domain.size)
+    }
 
 
 def _wish(argument: ir.Argument, domain: ir.Domain, offset: int) -> str:
-    stem = domain.name if argument.name == "x" or len(argument.domains) > 1 else argument.name
+    stem = _stem(argument, domain)
     if domain.size == 1:
         return identifier(stem)
     label = domain.labels[offset]
     return identifier(f"{stem}_{label if label.strip() else offset}")
+
+
+def _stem(argument: ir.Argument, domain: ir.Domain) -> str:
+    return domain.name if argument.name == "x" or len(argument.domains) > 1 else argument.name
 
 
 def _comment(domain: ir.Domain) -> str:

@@ -104,11 +104,20 @@ class Kernel:
         return tuple(struct for struct in candidates if struct)
 
     @cached_property
+    def main_reads_input(self) -> bool:
+        """True when the part evaluated once per call reads any input."""
+        entries = self._entries(self.common if self.mapped else self.results)
+        return bool(loads_of([*self.function.shared, *entries]))
+
+    @cached_property
     def item_reads_input(self) -> bool:
-        """True when the item part reads elements of arguments that are not per item."""
-        item_arguments = {argument.name for argument in self.function.arguments if argument.item}
-        loads = loads_of([*self.function.item, *self._entries(self.results)])
-        return self.mapped and any(load.argument not in item_arguments for load in loads)
+        """True when the item part reads inputs that are not per item."""
+        return any(not self.inputs.is_per_item(load) for load in self._item_loads)
+
+    @cached_property
+    def item_reads_item(self) -> bool:
+        """True when the item part reads inputs of its item."""
+        return any(self.inputs.is_per_item(load) for load in self._item_loads)
 
     @property
     def item_reads_shared(self) -> bool:
@@ -151,6 +160,12 @@ class Kernel:
         return [entry for output in outputs for entry in output.entries]
 
     @cached_property
+    def _item_loads(self) -> set[ir.Load]:
+        """Elements the item part reads."""
+        holders = [*self.function.item, *self._entries(self.results)]
+        return loads_of(holders) if self.mapped else set()
+
+    @cached_property
     def _exported(self) -> tuple[str, ...]:
         """Targets of the shared part that the item part reads."""
         wanted = references_of([*self.function.item, *self._entries(self.results)])
@@ -191,14 +206,15 @@ class Kernel:
 
         def load(element: ir.Load) -> Text:
             place = self.inputs.place(element)
-            if self.inputs.table[element].argument.integer:
+            if self.inputs.is_integer(element):
                 return Text(f"({self.target.real}){place}", Level.SIGN)
             return Text(place)
 
         return Scope(self.target, reference, load)
 
     def _single(self) -> Routine:
-        declarations = [*self._input_declaration(), f"{self.output_struct.name} *{OUTPUT_POINTER}"]
+        given = self._input_declaration(self.main_reads_input)
+        declarations = [*given, f"{self.output_struct.name} *{OUTPUT_POINTER}"]
         scope = self._scope(item=False)
         body = [
             *self._steps(self.function.shared, scope),
@@ -212,7 +228,7 @@ class Kernel:
         )
 
     def _shared(self) -> Routine:
-        declarations = self._input_declaration()
+        declarations = self._input_declaration(self.main_reads_input)
         if self.shared_struct:
             declarations.append(f"{self.shared_struct.name} *{SHARED_POINTER}")
         scope = self._scope(item=False)
@@ -232,12 +248,11 @@ class Kernel:
         )
 
     def _item(self) -> Routine:
-        declarations = self._input_declaration() if self.item_reads_input else []
+        declarations = self._input_declaration(self.item_reads_input)
         if self.item_reads_shared:
             declarations.append(f"const {self.shared_struct.name} *{SHARED_POINTER}")
-        item = self.inputs.struct(item=True)
-        if item:
-            declarations.append(f"const {item.name} *{ITEM_POINTER}")
+        if self.item_reads_item:
+            declarations.append(f"const {self.inputs.struct(item=True).name} *{ITEM_POINTER}")
         declarations.append(f"{self.output_struct.name} *{OUTPUT_POINTER}")
         scope = self._scope(item=True)
         body = [
@@ -255,9 +270,9 @@ class Kernel:
         result = f"{self.target.macro}_INLINE {self.target.status}"
         return head(result, f"{self.local}_{suffix}", declarations)
 
-    def _input_declaration(self) -> list[str]:
+    def _input_declaration(self, wanted: bool) -> list[str]:
         struct = self.inputs.struct(item=False)
-        return [f"const {struct.name} *{INPUT_POINTER}"] if struct else []
+        return [f"const {struct.name} *{INPUT_POINTER}"] if wanted else []
 
     def _steps(self, steps: Sequence[ir.Step], scope: Scope) -> Iterator[str]:
         for step in steps:
@@ -278,7 +293,8 @@ class Kernel:
             return comments.code(f"const {real} {target} = {value};", remark=check.comment)
         raw, verdict = self._guard_names[check.target]
         low, high = self.target.bounds(check.lower, check.upper)
-        lines = [f"    {comments.aside(check.comment)}"] if check.comment.strip() else []
+        described = check.comment.strip()
+        lines = [f"    {line}" for line in comments.block(described, 96)] if described else []
         if not isinstance(check.value, ir.Ref):
             lines += comments.code(f"const {real} {raw} = {value};")
             value = raw

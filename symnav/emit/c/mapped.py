@@ -107,6 +107,7 @@ class Mapped:
         shared_arguments = [a.name for a in kernel.function.arguments if not a.item]
         struct, shared = kernel.inputs.struct(item=False), kernel.shared_struct
         given = [f"&{INPUT_POINTER}"] if struct else []
+        read = given if kernel.main_reads_input else []
         made = [f"&{SHARED_POINTER}"] if shared else []
         return {
             "locals": [
@@ -114,7 +115,7 @@ class Mapped:
                 *([f"{shared.name} {SHARED_POINTER};"] if shared else []),
             ],
             "load": call(f"{kernel.local}_load", [*shared_arguments, *given]),
-            "evaluate": call(f"{kernel.local}_shared", [*given, *made]),
+            "evaluate": call(f"{kernel.local}_shared", [*read, *made]),
         }
 
     def context(self, *, address: bool) -> list[str]:
@@ -251,10 +252,11 @@ class Mapped:
         kernel = self.kernel
         item = kernel.inputs.struct(item=True)
         copy = [f"&{ITEM_POINTER}"] if item else []
+        read = copy if kernel.item_reads_item else []
         load = call(f"{kernel.local}_load_item", [*self.items_from(place), *copy])
         evaluate = call(
             f"{kernel.local}_item",
-            [*self.context(address=False), *copy, f"&{OUTPUT_POINTER}"],
+            [*self.context(address=False), *read, f"&{OUTPUT_POINTER}"],
         )
         status = f"const {kernel.target.status}"
         return {

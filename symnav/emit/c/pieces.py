@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Iterable
 from dataclasses import dataclass
 
@@ -31,6 +32,11 @@ class Struct:
     name: str
     brief: str
     fields: tuple[Field, ...]
+
+    @property
+    def comment(self) -> list[str]:
+        """What it is for."""
+        return comments.block(self.brief, mark="/**")
 
     def __bool__(self) -> bool:
         return bool(self.fields)
@@ -63,6 +69,11 @@ class Routine:
     head: tuple[str, ...]
     body: tuple[str, ...]
 
+    @property
+    def comment(self) -> list[str]:
+        """What it is for."""
+        return comments.block(self.brief)
+
 
 def head(result: str, name: str, declarations: Iterable[str]) -> tuple[str, ...]:
     """A function head on one line, or one parameter a line."""
@@ -71,7 +82,20 @@ def head(result: str, name: str, declarations: Iterable[str]) -> tuple[str, ...]
     if len(whole) <= comments.WIDTH:
         return (whole,)
     *front, last = listed
-    return (f"{result} {name}(", *(f"    {one}," for one in front), f"    {last})")
+    lines = [line for one in front for line in _indented(f"{one},")]
+    return (f"{result} {name}(", *lines, *_indented(f"{last})"))
+
+
+def _indented(declaration: str) -> list[str]:
+    """A parameter on a line of its own, or on two where its size is long."""
+    return textwrap.wrap(
+        declaration,
+        width=comments.WIDTH - 1,  # a prototype ends in a semicolon
+        initial_indent="    ",
+        subsequent_indent="        ",
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
 
 
 def call(name: str, arguments: Iterable[str]) -> str:

@@ -31,3 +31,5 @@ def _nodes(holders: Iterable[Holder]) -> Iterator[ir.Expression]:
         yield node
         if isinstance(node, ir.Call):
             pending.extend(node.operands)
+        elif isinstance(node, ir.Load) and isinstance(node.index, ir.Offset):
+            pending.append(node.index.slot)

@@ -1,0 +1,419 @@
+"""Compile a generated package: its own C, and CasADi's where present, into importable extensions.
+
+The extension is compiled from the very files that are exported for flight. Its foreign
+declarations come from the exported headers as well: everything between the two interface marks of
+a header is plain C that cffi reads as it stands, once comments are gone.
+
+An extension is named after a digest of all it depends on (sources, flags, compiler, interpreter),
+so that two builds never mix and a second build has nothing to do. A user cache keyed by that name
+makes regenerating a package elsewhere as quick.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+import sysconfig
+import tempfile
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+import cffi
+from cffi.recompiler import make_c_source
+
+from symnav.errors import BuildError
+
+Log = Callable[[str], None]
+
+FLAGS: Mapping[str, str] = {
+    "-O3": "vectorises loops over items and epochs",
+    "-std=c99": "the language the C is written in; without GNU extensions",
+    "-fno-math-errno": "nothing reads errno; lets square roots be one instruction",
+    "-fno-trapping-math": "no handler waits for exceptions; lets guards become selections",
+    "-ffp-contract=off": "no fused operations, so that results are the same bits everywhere",
+}
+"""Flags of every kernel and why. Nothing here changes a result; -ffast-math would."""
+
+LIGHT_FLAGS: Mapping[str, str] = {
+    **{flag: reason for flag, reason in FLAGS.items() if flag != "-O3"},
+    "-O2": "retract and local are called once per update: compile time matters more",
+}
+"""Flags of retract and local."""
+
+NATIVE_FLAG = "-march=native"
+"""Added on request: every instruction of this very machine, and a file for no other."""
+
+WINDOWS_FLAGS: Mapping[str, str] = {
+    "/O2": "optimises for speed",
+    "/std:c11": "the oldest standard this compiler follows",
+    "/fp:precise": "no fused or reordered operations",
+}
+"""Flags for the compiler of Visual Studio."""
+
+ADVICE = (
+    "Debian and Ubuntu: apt install gcc libc6-dev python3-dev; Fedora: dnf install gcc "
+    "python3-devel; macOS: xcode-select --install; Windows: Build Tools for Visual Studio"
+)
+
+_BEGINS, _ENDS = "/* Interface begins. */", "/* Interface ends. */"
+_SUFFIX = sysconfig.get_config_var("EXT_SUFFIX") or ".so"
+_WINDOWS = os.name == "nt"
+
+
+@dataclass(frozen=True, slots=True)
+class Compiler:
+    """A C compiler.
+
+    Attributes:
+        command: how it is called.
+        identity: its version and the machine it compiles for.
+    """
+
+    command: tuple[str, ...]
+    identity: str
+
+
+@dataclass(frozen=True, slots=True)
+class BuildResult:
+    """What a build left behind.
+
+    Attributes:
+        package: the package directory.
+        modules: path of each extension, by ``native`` and ``casadi``.
+        compiled: the extensions that were compiled; the others were there or came from the cache.
+    """
+
+    package: Path
+    modules: Mapping[str, Path]
+    compiled: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class _Extension:
+    """One extension to build: where its sources are and how they are seen by the compiler."""
+
+    key: str
+    package: Path
+    sources: tuple[Path, ...]
+    headers: tuple[Path, ...]
+    include: Path
+
+    @property
+    def preamble(self) -> str:
+        return "".join(
+            f'#include "{header.relative_to(self.include).as_posix()}"\n' for header in self.headers
+        )
+
+    @property
+    def declarations(self) -> str:
+        return "\n".join(
+            declarations(header.read_text(encoding="utf-8")) for header in self.headers
+        )
+
+
+def build(package: Path, *, native: bool = False, log: Log | None = None) -> BuildResult:
+    """Compile the extensions of a generated package.
+
+    Args:
+        package: its directory, with ``c/`` and perhaps ``casadi/`` in it.
+        native: compile for this very machine.
+        log: called with every line worth telling.
+
+    Returns:
+        Where the extensions are and which of them were compiled now.
+
+    Raises:
+        BuildError: when there is no compiler or it refuses a file; the log is ``_build.log``.
+    """
+    package = Path(package).resolve()
+    tell = log or (lambda line: None)
+    extensions = list(_extensions(package))
+    if not extensions:
+        raise BuildError(f"{package} holds no C to compile; generate the package first")
+    compiler = find_compiler()
+    flags = [*(WINDOWS_FLAGS if _WINDOWS else FLAGS), *([NATIVE_FLAG] if native else [])]
+    digests = {
+        path.relative_to(package).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest()
+        for path in _inputs(package)
+    }
+    modules: dict[str, Path] = {}
+    compiled: list[str] = []
+    for extension in extensions:
+        name = _module_name(extension, digests, compiler, flags)
+        modules[extension.key] = package / f"{name}{_SUFFIX}"
+        if _provide(extension, name, compiler, flags, tell):
+            compiled.append(extension.key)
+    record = {
+        "native": _stem(modules.get("native")),
+        "casadi": _stem(modules.get("casadi")),
+        "sources": digests,
+        "compiler": compiler.identity,
+        "flags": flags,
+    }
+    _replace(package / "_build.json", (json.dumps(record, indent=2) + "\n").encode())
+    _remove_others(package, modules.values())
+    return BuildResult(package, modules, tuple(compiled))
+
+
+def declarations(header: str) -> str:
+    """The part of a header that cffi reads: what it declares, and integer macros.
+
+    Args:
+        header: text of a generated header; the whole of it counts where it has no marks.
+    """
+    marked = [part.partition(_ENDS)[0] for part in header.split(_BEGINS)[1:]]
+    text = re.sub(r"/\*.*?\*/", " ", "\n".join(marked) if marked else header, flags=re.DOTALL)
+    text = re.sub(r"\b\w+_RESTRICT\b", "", text)
+    text = re.sub(r"\bstatic const (\w+ \w+\[\w+\]) = \{[^}]*\};", r"extern const \1;", text)
+    lines = (line.rstrip() for line in text.splitlines())
+    return "\n".join(line for line in lines if line.strip()) + "\n"
+
+
+def cache_directory() -> Path:
+    """Where extensions are kept across packages: ``SYMNAV_CACHE_DIR`` or ``~/.cache/symnav``."""
+    chosen = os.environ.get("SYMNAV_CACHE_DIR")
+    return Path(chosen) if chosen else Path.home() / ".cache" / "symnav"
+
+
+def find_compiler() -> Compiler:
+    """The compiler of the environment variable ``CC``, of this Python, or the first there is.
+
+    Raises:
+        BuildError: when there is none, or the one asked for does not exist.
+    """
+    if _WINDOWS:
+        return Compiler(("cl",), f"Visual Studio, {sys.version}")
+    asked = shlex.split(os.environ.get("CC", ""))
+    if asked and shutil.which(asked[0]) is None:
+        raise BuildError(f"the compiler {asked[0]!r} that CC names does not exist; {ADVICE}")
+    of_python = shlex.split(sysconfig.get_config_var("CC") or "")
+    for command in (asked, of_python[:1], ["cc"], ["gcc"], ["clang"]):
+        if command and shutil.which(command[0]):
+            return Compiler(tuple(command), _identity(tuple(command)))
+    raise BuildError(f"no C compiler found; {ADVICE}")
+
+
+@cache
+def _identity(command: tuple[str, ...]) -> str:
+    version = subprocess.run([*command, "--version"], capture_output=True, text=True, check=False)
+    machine = subprocess.run(
+        [*command, "-dumpmachine"], capture_output=True, text=True, check=False
+    )
+    first = (version.stdout or version.stderr).strip().splitlines()
+    return f"{first[0] if first else command[0]}, {machine.stdout.strip()}"
+
+
+def _extensions(package: Path) -> Iterator[_Extension]:
+    """The native extension holds the trees of both scalar types; CasADi's C stands apart."""
+    own = sorted((package / "c" / "src").glob("*.c"))
+    if own:
+        include = package / "c" / "include"
+        headers = sorted(include.glob("*/*.h"), key=lambda path: (path.parent, -len(path.name)))
+        yield _Extension("native", package, tuple(own), tuple(headers), include)
+    casadi = package / "casadi"
+    if foreign := sorted(casadi.glob("*.c")):
+        yield _Extension(
+            "casadi", package, tuple(foreign), tuple(sorted(casadi.glob("*.h"))), casadi
+        )
+
+
+def _inputs(package: Path) -> list[Path]:
+    return sorted(
+        path
+        for folder in ("c", "casadi")
+        for path in (package / folder).rglob("*")
+        if path.suffix in (".c", ".h")
+    )
+
+
+def _module_name(
+    extension: _Extension, digests: Mapping[str, str], compiler: Compiler, flags: Sequence[str]
+) -> str:
+    """``_<package>_<digest>``, or with ``_casadi`` in between."""
+    folder = extension.include.relative_to(extension.package).parts[0]
+    basis = {
+        "sources": {path: text for path, text in digests.items() if path.startswith(folder + "/")},
+        "flags": [*flags, *LIGHT_FLAGS],
+        "compiler": compiler.identity,
+        "machine": _machine(compiler) if NATIVE_FLAG in flags else "",
+        "abi": _SUFFIX,
+        "cffi": cffi.__version__,
+    }
+    digest = hashlib.sha256(json.dumps(basis, sort_keys=True).encode()).hexdigest()[:16]
+    middle = "_casadi" if extension.key == "casadi" else ""
+    return f"_{extension.package.name}{middle}_{digest}"
+
+
+def _machine(compiler: Compiler) -> str:
+    """What the compiler knows about this processor."""
+    command = [*compiler.command, NATIVE_FLAG, "-dM", "-E", "-x", "c", os.devnull]
+    macros = subprocess.run(command, capture_output=True, text=True, check=False).stdout
+    return "\n".join(sorted(macros.splitlines()))
+
+
+def _provide(
+    extension: _Extension, name: str, compiler: Compiler, flags: Sequence[str], tell: Log
+) -> bool:
+    """Put an extension in place; True when it had to be compiled."""
+    place = extension.package / f"{name}{_SUFFIX}"
+    kept = cache_directory() / place.name
+    if place.is_file():
+        tell(f"{place.name} is up to date")
+        return False
+    if kept.is_file():
+        _replace(place, kept.read_bytes())
+        tell(f"{place.name} from the cache")
+        return False
+    tell(f"compiling {place.name} with {compiler.identity}")
+    with _workshop(extension.package) as folder:
+        made = _compile(extension, name, compiler, flags, folder)
+        content = made.read_bytes()
+        os.replace(made, place)
+    _keep(kept, content, tell)
+    return True
+
+
+def _keep(kept: Path, content: bytes, tell: Log) -> None:
+    """A cache that cannot be written is no reason to fail."""
+    try:
+        kept.parent.mkdir(parents=True, exist_ok=True)
+        _replace(kept, content)
+    except OSError as error:
+        tell(f"not cached: {error}")
+
+
+@contextmanager
+def _workshop(package: Path) -> Iterator[Path]:
+    """A temporary directory beside the result, so that moving it is atomic."""
+    folder = Path(tempfile.mkdtemp(prefix="_build-", dir=package))
+    try:
+        yield folder
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def _compile(
+    extension: _Extension, name: str, compiler: Compiler, flags: Sequence[str], folder: Path
+) -> Path:
+    """Compile an extension in a folder of its own."""
+    wrapper = cffi.FFI()
+    wrapper.cdef(extension.declarations)
+    if _WINDOWS:
+        return compile_with_setuptools(wrapper, name, extension.preamble, extension, flags, folder)
+    python = Path(sysconfig.get_path("include"))
+    if not (python / "Python.h").is_file():
+        raise BuildError(f"the headers of Python are missing ({python}); {ADVICE}")
+    wrapper_source = folder / f"{name}.c"
+    make_c_source(wrapper, name, extension.preamble, str(wrapper_source))
+    include = f"-I{extension.include}"
+    position = ["-fPIC", "-fvisibility=hidden"]
+    pythons = [f"-I{python}", f"-I{sysconfig.get_path('platinclude')}"]
+    jobs = [([*compiler.command, "-O1", *position, include, *pythons], wrapper_source)]
+    for source in sorted(extension.sources, key=lambda path: -path.stat().st_size):
+        jobs.append(([*compiler.command, *_flags_of(source, flags), *position, include], source))
+    objects = _run_jobs(jobs, folder, extension.package)
+    made = folder / f"{name}{_SUFFIX}"
+    shared = (
+        ["-bundle", "-undefined", "dynamic_lookup"] if sys.platform == "darwin" else ["-shared"]
+    )
+    _run(
+        [*compiler.command, *shared, "-o", str(made), *map(str, objects), "-lm"], extension.package
+    )
+    return made
+
+
+def _flags_of(source: Path, flags: Sequence[str]) -> list[str]:
+    """Retract and local are compiled lightly."""
+    if not source.stem.endswith(("_retract", "_local")):
+        return list(flags)
+    return [*LIGHT_FLAGS, *(flag for flag in flags if flag not in FLAGS)]
+
+
+def compile_with_setuptools(
+    wrapper: cffi.FFI,
+    name: str,
+    preamble: str,
+    extension: _Extension,
+    flags: Sequence[str],
+    folder: Path,
+) -> Path:
+    """Compile an extension through setuptools, which knows where Visual Studio keeps itself."""
+    from setuptools.errors import CCompilerError, PlatformError
+
+    wrapper.set_source(
+        name,
+        preamble,
+        sources=[str(path) for path in extension.sources],
+        include_dirs=[str(extension.include)],
+        extra_compile_args=list(flags),
+    )
+    try:
+        return Path(wrapper.compile(tmpdir=str(folder)))
+    except (CCompilerError, PlatformError, cffi.VerificationError) as error:
+        raise _refusal(extension.package, str(error)) from error
+
+
+def _run_jobs(
+    jobs: Sequence[tuple[Sequence[str], Path]], folder: Path, package: Path
+) -> list[Path]:
+    """Compile every file, as many at a time as there are processors."""
+    objects = [folder / f"{source.stem}.o" for _, source in jobs]
+    commands = [
+        [*command, "-c", str(source), "-o", str(place)]
+        for (command, source), place in zip(jobs, objects, strict=True)
+    ]
+    with ThreadPoolExecutor(os.cpu_count() or 1) as workers:
+        list(workers.map(lambda command: _run(command, package), commands))
+    return objects
+
+
+def _run(command: Sequence[str], package: Path) -> None:
+    done = subprocess.run(
+        command, capture_output=True, text=True, check=False, stdin=subprocess.DEVNULL
+    )
+    if done.returncode != 0:
+        raise _refusal(package, f"{shlex.join(command)}\n{done.stdout}{done.stderr}")
+
+
+def _refusal(package: Path, output: str) -> BuildError:
+    """The error for a compiler that refused something; its whole output goes to the log."""
+    log = package / "_build.log"
+    log.write_text(output, encoding="utf-8")
+    lines = [line.strip() for line in output.splitlines() if line.strip()]
+    telling = next((line for line in lines if re.search(r"\berror\b", line)), lines[-1])
+    return BuildError(f"the C compiler refused: {telling}; its whole output is in {log}")
+
+
+def _replace(place: Path, content: bytes) -> None:
+    """Write a file so that nobody ever sees half of it."""
+    handle, temporary = tempfile.mkstemp(prefix="_build-", dir=place.parent)
+    with os.fdopen(handle, "wb") as file:
+        file.write(content)
+    os.chmod(temporary, 0o644)
+    os.replace(temporary, place)
+
+
+def _remove_others(package: Path, modules: Iterable[Path]) -> None:
+    """Earlier extensions for this interpreter; one that is loaded elsewhere may stay on Windows."""
+    current = set(modules)
+    pattern = re.compile(rf"_{re.escape(package.name)}(_casadi)?_[0-9a-f]{{16}}")
+    for path in package.glob(f"_{package.name}_*{_SUFFIX}"):
+        if path not in current and pattern.fullmatch(path.name.removesuffix(_SUFFIX)):
+            try:
+                path.unlink()
+            except PermissionError:
+                continue
+
+
+def _stem(path: Path | None) -> str | None:
+    return path.name.removesuffix(_SUFFIX) if path else None
