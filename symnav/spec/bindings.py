@@ -200,7 +200,7 @@ class _Binder:
 
     def _constant(self, role: Role, values: tuple[float, ...]) -> ToConstant | None:
         size = 4 if role.kind in ROTATIONS else role.size_for(self.result.options)
-        if role.kind == "integer":
+        if role.kind == "integer" or role.name in self.model.differentiated:
             self._fault(role.name, f"cannot be a constant; bind {role.name} to an input")
             return None
         if len(values) != size:

@@ -32,7 +32,7 @@ LARGEST_NUMBER = 1e30
 ARC_MARGIN = 1e-9
 LARGEST_EXPONENT = 80.0
 
-_CHARACTERS = re.compile(r"[A-Za-z0-9_\s.,+\-*/()\[\]\"']*")
+_CHARACTERS = re.compile(r"[A-Za-z0-9_\s.,+\-*/^()\[\]\"']*")
 
 Term = Value | float
 
@@ -153,7 +153,7 @@ class Evaluator:
         if isinstance(operator, ast.Div):
             return self._quotient(a, b)
         if not isinstance(operator, (ast.Add, ast.Sub)):
-            sign = _OPERATORS.get(type(operator), type(operator).__name__)
+            sign = "^" if isinstance(operator, ast.BitXor) else "//"
             raise EquationError(f"the operator {sign} is not allowed; use + - * / or **")
         plus = isinstance(operator, ast.Add)
         if isinstance(a, float) and isinstance(b, float):
@@ -336,8 +336,6 @@ FUNCTIONS: Mapping[str, tuple[int, int, Callable[[Evaluator, Sequence[ast.expr]]
     "log": (1, 1, _guarded("logarithm", sp.log, 1 / LARGEST_NUMBER, LARGEST_NUMBER)),
     "quantity": (2, 3, _quantity),
 }
-
-_OPERATORS: Mapping[type[ast.operator], str] = {ast.FloorDiv: "//"}
 
 
 def _bound(tree: ast.expr) -> None:

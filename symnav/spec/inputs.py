@@ -72,7 +72,7 @@ def resolve_all(
         if bound.sound:
             for role, message in resolution.problems:
                 frames.problems.add(f"{bound.path}.{role}", message)
-        maps.append(complete(bound.model, held, resolution.frames))
+        maps.append(complete(bound.model, held, resolution.frames, axes))
         _learn(bound, maps[-1], inputs)
     return maps
 

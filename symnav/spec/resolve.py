@@ -69,28 +69,46 @@ def resolve(model: Model, held: Mapping[str, Held], axes: Mapping[str, str]) -> 
     return Resolution(solver.frames, tuple(solver.problems))
 
 
-def complete(model: Model, held: Mapping[str, Held], frames: Mapping[str, str]) -> dict[str, str]:
+def complete(
+    model: Model, held: Mapping[str, Held], frames: Mapping[str, str], axes: Mapping[str, str]
+) -> dict[str, str]:
     """Every frame role of a model: what is not determined keeps the role's own name."""
     completed = dict(frames)
+    point = _point(model)
+    if point is not None and point.frame not in completed:
+        own = {name: name for name in _frame_roles(model) if name not in completed}
+        completed[point.frame] = (
+            _point_frame(model, point, own, axes) if point.frame not in _turned(model) else None
+        ) or point.frame
+        completed = {**model.frame_rule(completed, axes, None), **completed}
     for group in _same_frame(model, held):
         shared = next((completed[name] for name in group if name in completed), group[-1])
         for name in group:
             completed.setdefault(name, shared)
-    place = _place(model)
     for name in _frame_roles(model):
-        if name != place:
-            completed.setdefault(name, name)
-    if place is not None and place not in completed:
-        into = [r for r in model.roles if r.name in held and r.frame.endswith(f"-> {EARTH}")]
-        completed[place] = completed[frame_map(into[0].frame)[0] if into else EARTH]
+        completed.setdefault(name, name)
     return completed
 
 
-def _place(model: Model) -> str | None:
-    """The frame role of a point that stands apart from the rotations of an earth-fixed model."""
-    rotated = {end for r in model.roles if r.kind in ROTATIONS for end in frame_map(r.frame)}
-    apart = [r.frame for r in model.roles if r.kind == "point" and r.frame not in rotated]
-    return apart[0] if apart and EARTH in rotated else None
+def _point(model: Model) -> Role | None:
+    """The position of a model that has one."""
+    return next((role for role in model.roles if role.kind == "point"), None)
+
+
+def _turned(model: Model) -> set[str]:
+    """Frame roles that a rotation of the model leads from or to."""
+    return {end for r in model.roles if r.kind in ROTATIONS for end in frame_map(r.frame)}
+
+
+def _point_frame(
+    model: Model, point: Role, known: Mapping[str, str], axes: Mapping[str, str]
+) -> str | None:
+    """A frame for the point from which the model's own rule gives what is known already."""
+    for frame_role, frame in known.items():
+        told = model.frame_rule({**known, point.frame: frame}, axes, None)
+        if told.get(frame_role) == frame:
+            return frame
+    return None
 
 
 def _same_frame(model: Model, held: Mapping[str, Held]) -> list[list[str]]:
@@ -153,13 +171,16 @@ class _Solver:
             self._fix(role.frame, self.held[role.name].frame or "", role.name)
         waiting = [r for r in self._rotations() if self.held[r.name].ends is not None]
         while True:
+            if self._rule():
+                continue
             self._carry(waiting)
             if self._rule() or self._merge():
                 continue
-            if not waiting:
+            if waiting:
+                if not self._guess(waiting[0]):
+                    waiting.pop(0)
+            elif not self._infer_point():
                 break
-            if not self._guess(waiting[0]):
-                waiting.pop(0)
         for role in self._vectors():
             self._check_vector(role)
         self._check_earth()
@@ -218,14 +239,7 @@ class _Solver:
     def _fit(self, frame_role: str, frame: str) -> int:
         if frame_role not in self.frames:
             return 0
-        known = self.frames[frame_role]
-        return 1 if known == frame or self._level(known, frame) else -1
-
-    def _level(self, a: str, b: str) -> bool:
-        """True when a geodetic point's own rotation connects two frames."""
-        return any(
-            held.level is not None and {a, b} == {*held.level} for held in self.held.values()
-        )
+        return 1 if self.frames[frame_role] == frame else -1
 
     def _likeness(self, pairs: Iterable[tuple[str, str]]) -> int:
         """How much frames look like their roles, by name and by declared axes."""
@@ -259,20 +273,33 @@ class _Solver:
 
     def _rule(self) -> bool:
         """The model's own rule: what the frame of its point says of the other frames."""
-        point = next((role for role in self.model.roles if role.kind == "point"), None)
+        point = _point(self.model)
         if point is None or point.frame not in self.frames:
             return False
-        held = self.held[point.name]
-        level = held.level[0] if held.level is not None else None
-        told = self.model.frame_rule(dict(self.frames), self.axes, level)
+        told = self._told(point)
         for frame_role, frame in told.items():
             if self._fit(frame_role, frame) < 0 and point.name not in self._blamed:
                 by = self._fixed_by[frame_role]
                 self._misplaced(point.name, self.frames[frame_role], f"that of {by}")
         added = [name for name in told if name not in self.frames]
         for name in added:
-            self._fix(name, told[name], point.name)
+            self._fix(name, told[name], self._fixed_by[point.frame])
         return bool(added)
+
+    def _told(self, point: Role) -> Mapping[str, str]:
+        held = self.held.get(point.name)
+        level = held.level[0] if held is not None and held.level is not None else None
+        return self.model.frame_rule(dict(self.frames), self.axes, level)
+
+    def _infer_point(self) -> bool:
+        """A point without a frame takes the one that agrees with what is known."""
+        point = _point(self.model)
+        if point is None or point.name not in self.held or point.frame in self.frames:
+            return False
+        frame = _point_frame(self.model, point, self.frames, self.axes)
+        if frame is not None:
+            self._fix(point.frame, frame, point.name)
+        return frame is not None
 
     def _merge(self) -> bool:
         """Rotations bound to none: both ends are one frame."""
@@ -280,7 +307,7 @@ class _Solver:
             if role.kind not in ROTATIONS or role.name in self.held:
                 continue
             ends = frame_map(role.frame)
-            if _joined(self.model, self.held, *ends):
+            if _joined(self.model, self.held, *ends) or self._level_joins(ends):
                 continue
             known = [end for end in ends if end in self.frames]
             if len(known) == 1:
@@ -289,29 +316,44 @@ class _Solver:
                 return True
             if len(known) == 2 and role.name not in self._blamed:
                 a, b = (self.frames[end] for end in ends)
-                if a != b and not self._level(a, b):
+                if a != b:
                     self._disconnected(role, ends, f"; bind {role.name} to a rotation between them")
                     self._blamed.add(role.name)
         return False
 
+    def _level_joins(self, ends: Ends) -> bool:
+        """True when a geodetic point brings the rotation between two frame roles itself."""
+        point = _point(self.model)
+        if point is None or point.name not in self.held or self.held[point.name].level is None:
+            return False
+        return {*ends} <= {*self._told(point)}
+
     def _check_vector(self, role: Role) -> None:
         held, frame = self.held[role.name], self.frames[role.frame]
-        if held.frame in (None, frame) or role.name in self._blamed:
+        if held.frame == frame or role.name in self._blamed:
             return
         by = self._fixed_by[role.frame]
         self._misplaced(role.name, frame, f"that of {by}")
 
     def _check_earth(self) -> None:
+        """Earth-fixed frames where the model needs them, and no rotation from one to another."""
         frame = self.frames.get(EARTH)
         if frame is not None and self.axes.get(frame) in LOCAL_LEVEL:
-            by = self._fixed_by[EARTH]
+            by, axes = self._fixed_by[EARTH], self.axes[frame]
             self.problems.append(
                 (
                     by,
-                    f"{self.held[by].label} leads to frame {frame!r} with axes "
-                    f"{self.axes[frame]!r}, where {self.model.name} needs an earth-fixed frame",
+                    f"{self.held[by].label} leads to frame {frame!r} with axes {axes!r}, where "
+                    f"{self.model.name} needs an earth-fixed frame",
                 )
             )
+        for role in self._rotations():
+            source, target = frame_map(role.frame)
+            start = self.frames.get(source)
+            if target == EARTH and start is not None and self.axes.get(start) == "ecef":
+                self.problems.append(
+                    (role.name, f"frame {start!r} is earth-fixed already; leave {role.name} out")
+                )
 
     def _blame(self, rotation: Role, frame_role: str, frame: str, ends: Ends) -> bool:
         """Report the vectors that put a frame role where a rotation does not lead."""
