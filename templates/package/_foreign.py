@@ -44,7 +44,8 @@ class ForeignFunction(ArrayFunction):
         """Loops over epochs and items; results that are not finite count as failed guards."""
         guards, _ = self.guard(xp, arrays)
         noted = self.computed(xp, [], guards, extent)
-        items = (1 if extent.items is None else extent.items,)
+        # What all items share needs one evaluation even where there is no item.
+        items = (max(1 if extent.items is None else extent.items, 1),)
         dense = [np.zeros((*extent.batch, *items, o.size)) for o in self.signature.outputs]
         found = np.zeros((*extent.batch, *items), dtype=np.uint8)
         for place in np.ndindex(found.shape):
@@ -62,6 +63,7 @@ class ForeignFunction(ArrayFunction):
         if noted.item is None:
             shared = np.where(noted.shared != 0, noted.shared, found[..., 0])
             return Computed(outputs, shared, None)
+        found = found[..., : extent.items]
         return Computed(outputs, noted.shared, np.where(noted.item != 0, noted.item, found))
 
     def _elements(self, arrays: Sequence[Array], place: tuple[int, ...]) -> list[Array]:
@@ -72,8 +74,10 @@ class ForeignFunction(ArrayFunction):
             lead = array.shape[: array.ndim - argument.rank]
             own = epoch[len(epoch) - len(lead) :]
             index = [0 if length == 1 else at for length, at in zip(lead, own, strict=True)]
-            index += [item] if argument.item else []
-            elements.append(np.array(array[tuple(index)], dtype=np.float64, ndmin=1))
+            row = array[tuple(index)]
+            if argument.item:
+                row = row[item] if len(row) else np.zeros(argument.size)
+            elements.append(np.array(row, dtype=np.float64, ndmin=1))
         return elements
 
     def _one(self, elements: Sequence[Array]) -> list[Array]:
@@ -98,7 +102,7 @@ class ForeignFunction(ArrayFunction):
         extent: Extent,
     ) -> Array:
         """The rows of all items, or the one row that they share."""
-        flat = array if output.item else array[..., 0, :]
+        flat = array[..., : extent.items, :] if output.item else array[..., 0, :]
         if part is Part.NONZEROS:
             return gather(output, flat, named)
         return flat.reshape(output_shape(output, part, extent))

@@ -11,6 +11,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum, IntEnum
+from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -96,12 +97,12 @@ class Argument:
     integer: bool = False
     scalar: bool = False
 
-    @property
+    @cached_property
     def shape(self) -> tuple[str, ...]:
         """The trailing axes, as text."""
         return (*(("n",) if self.item else ()), *(() if self.scalar else (str(self.size),)))
 
-    @property
+    @cached_property
     def rank(self) -> int:
         """How many trailing axes belong to one epoch."""
         return self.item + (not self.scalar)
@@ -135,12 +136,12 @@ class Output:
     places: tuple[int | Slot, ...]
     item: bool = False
 
-    @property
+    @cached_property
     def jacobian(self) -> bool:
         """True for a Jacobian."""
         return self.name.startswith("jacobian")
 
-    @property
+    @cached_property
     def size(self) -> int:
         """Elements in all."""
         return math.prod(self.shape)
@@ -172,22 +173,22 @@ class Signature:
     column_major: bool = False
     single_difference: bool = False
 
-    @property
+    @cached_property
     def mapped(self) -> bool:
         """True when the function is evaluated for each of n items."""
         return self.maximum is not None
 
-    @property
+    @cached_property
     def names(self) -> tuple[str, ...]:
         """Names of the arguments."""
         return tuple(argument.name for argument in self.arguments)
 
-    @property
+    @cached_property
     def values(self) -> tuple[Output, ...]:
         """Outputs that are not Jacobians."""
         return tuple(output for output in self.outputs if not output.jacobian)
 
-    @property
+    @cached_property
     def jacobians(self) -> tuple[Output, ...]:
         """Jacobians."""
         return tuple(output for output in self.outputs if output.jacobian)
@@ -261,6 +262,8 @@ def _expectation(argument: Argument) -> str:
 def as_numbers(argument: Argument, value: Any, real: np.dtype[Any], complex_: bool) -> Array:
     """Converts an argument to an array of the back end's type; refuses what would lose meaning."""
     array = np.asarray(value)
+    if array.dtype == real and not argument.integer:
+        return array
     kind = array.dtype.kind
     if argument.integer:
         if kind not in "iu" and array.size:
@@ -305,6 +308,8 @@ def measure(signature: Signature, arrays: Sequence[Array]) -> Extent:
             value=float(count),
             bounds=(0.0, float(signature.maximum)),
         )
+    if len(set(leading)) == 1:
+        return Extent(leading[0], count)
     try:
         return Extent(np.broadcast_shapes(*leading), count)
     except ValueError:
