@@ -1,0 +1,1 @@
+"""Tests of the core: graph, quantities, frames, blocks, equations, elimination and both routes."""
