@@ -47,6 +47,7 @@ _MATH_FUNCTIONS = _words(
     fdim floor fma fmax fmin fmod frexp hypot ilogb ldexp lgamma llrint llround log log10 log1p
     log2 logb lrint lround modf nan nearbyint nextafter nexttoward pow remainder remquo rint round
     scalbln scalbn sin sinh sqrt tan tanh tgamma trunc
+    j0 j1 jn y0 y1 yn gamma drem significand scalb finite isinf isnan
     """
 )
 
@@ -55,8 +56,7 @@ MATH_NAMES = frozenset(
     f"{name}{suffix}" for name in _MATH_FUNCTIONS for suffix in ("", "f", "l")
 ) | _words(
     """
-    j0 j1 jn y0 y1 yn j0f j1f jnf y0f y1f ynf gamma gammaf drem significand scalb signgam finite
-    fpclassify isfinite isinf isnan isnormal signbit isgreater isgreaterequal isless islessequal
+    signgam fpclassify isfinite isnormal signbit isgreater isgreaterequal isless islessequal
     islessgreater isunordered HUGE_VAL INFINITY NAN FP_NAN float_t double_t math_errhandling
     """
 )

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from typing import Any
 
 import mpmath
 import pytest
@@ -58,7 +59,7 @@ def derivative(quantity: Quantity, name: str, at: Mapping[str, float]) -> mpmath
     return mpmath.mpf(str(by(graph.local_partials(quantity.elements)).evalf(50)))
 
 
-REFERENCE = {
+REFERENCE: Mapping[str, Callable[[Any, Any], Any]] = {
     "sqrt(a)": lambda a, b: mpmath.sqrt(a),
     "abs(a - 3)": lambda a, b: abs(a - 3),
     "sin(a * b)": lambda a, b: mpmath.sin(a * b),
