@@ -105,7 +105,7 @@ class ForeignFunction(ArrayFunction):
         flat = array[..., : extent.items, :] if output.item else array[..., 0, :]
         if part is Part.NONZEROS:
             return gather(output, flat, named)
-        return flat.reshape(output_shape(output, part, extent))
+        return np.array(flat.reshape(output_shape(output, part, extent)), order="C")
 
 
 def _no_kernel(*arguments: Any) -> Nonzeros:

@@ -245,7 +245,7 @@ def collect(signature: Signature, given: Sequence[Any], inputs: Mapping[str, Any
 
 
 def _unknown(function: str, name: str, names: Sequence[str]) -> str:
-    near = difflib.get_close_matches(name, names, n=1)
+    near = difflib.get_close_matches(name, names, n=1, cutoff=0.5)
     advice = f"did you mean {near[0]!r}?" if near else f"it takes {', '.join(names)}"
     return f"{function} has no argument {name!r}; {advice}"
 

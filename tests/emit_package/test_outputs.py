@@ -1,0 +1,227 @@
+"""Writing into given arrays, bound calls, and tables of non-zeros."""
+
+from __future__ import annotations
+
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.emit_numpy import modules, packages
+from tests.emit_numpy.packages import backend, called
+
+FUNCTIONS = {function.name: function for function in modules.module().functions}
+
+
+@pytest.fixture(params=["native", "numpy", "casadi"])
+def functions(package: ModuleType, request: pytest.FixtureRequest) -> ModuleType:
+    """Each back end in turn."""
+    return backend(package, request.param)
+
+
+def empty(name: str, batch: tuple[int, ...], items: int | None = None) -> dict[str, Any]:
+    """Arrays for every output, filled with a number no function gives."""
+    made = {}
+    for output in FUNCTIONS[name].outputs:
+        own = (*batch, *([items] if output.item and items is not None else []), *output.shape)
+        made[output.name] = np.full(own, 777.0)
+    return made
+
+
+@pytest.mark.parametrize("batch", [(), (3,), (2, 2)], ids=str)
+@pytest.mark.parametrize("kind", ["dict", "tuple", "result"])
+def test_given_arrays_are_filled(
+    functions: ModuleType, rng: np.random.Generator, batch: tuple[int, ...], kind: str
+) -> None:
+    """By name, by order, or the result of an earlier call."""
+    given = packages.arguments(FUNCTIONS["gps"], rng, *batch)
+    fresh = called(functions.gps, given)
+    arrays = empty("gps", batch)
+    out = {
+        "dict": arrays,
+        "tuple": tuple(arrays.values()),
+        "result": type(fresh)(*arrays.values(), None),
+    }[kind]
+    result = called(functions.gps, given, out=out)
+    for name, array in arrays.items():
+        assert getattr(result, name) is array
+        assert array == pytest.approx(getattr(fresh, name), rel=1e-15)
+
+
+def test_parts_fill_given_arrays(functions: ModuleType, rng: np.random.Generator) -> None:
+    """Values, Jacobians and non-zeros alone."""
+    given = packages.arguments(FUNCTIONS["frame_map"], rng, 2)
+    for form, shape in (("value", (2, 3)), ("jacobian", (2, 3, 12)), ("nonzeros", (2, 9))):
+        call = getattr(functions.frame_map, form)
+        out = np.full(shape, 777.0)
+        assert called(call, given, out=out) is out
+        assert out == pytest.approx(called(call, given), rel=1e-15)
+
+
+def test_failed_epochs_leave_given_arrays_alone(
+    functions: ModuleType, rng: np.random.Generator
+) -> None:
+    """Rows that fail keep what was there; new arrays hold NaN there."""
+    given = packages.arguments(FUNCTIONS["gps"], rng, 3)
+    given["x"][1, 0] = np.nan
+    arrays = empty("gps", (3,))
+    result = called(functions.gps, given, out=arrays)
+    assert result.status.tolist() == [0, 2, 0]
+    fresh = called(functions.gps, given)
+    for name, array in arrays.items():
+        assert (array[1] == 777.0).all()
+        assert np.isnan(getattr(fresh, name)[1]).all()
+        assert array[::2] == pytest.approx(getattr(fresh, name)[::2], rel=1e-15)
+    out = np.full((3, 12), 777.0), np.full((3, 9), 777.0)
+    called(functions.gps.nonzeros, given, out=out)
+    assert [(part[1] == 777.0).all() for part in out] == [True, True]
+
+
+def test_failed_call_leaves_given_arrays_alone(
+    package: ModuleType, functions: ModuleType, rng: np.random.Generator
+) -> None:
+    """One epoch raises and writes nothing."""
+    given = packages.arguments(FUNCTIONS["gps"], rng)
+    given["lever_arm"] = np.zeros(3)
+    if functions.__name__.endswith("casadi"):
+        given["lever_arm"] = np.full(3, np.nan)
+    arrays = empty("gps", ())
+    with pytest.raises(package.GuardError):
+        called(functions.gps, given, out=arrays)
+    assert all((array == 777.0).all() for array in arrays.values())
+
+
+def test_bad_items_write_zero_rows(functions: ModuleType, rng: np.random.Generator) -> None:
+    """An epoch that passes in part is written whole."""
+    given = packages.arguments(FUNCTIONS["ranges"], rng, 2)
+    given["satellite"][1, 3] = np.inf
+    arrays = empty("ranges", (2,), 5)
+    result = called(functions.ranges, given, out=arrays)
+    assert result.status.tolist() == [0, 7]
+    assert arrays["value"][1, 3] == 0.0
+    assert (arrays["jacobian"][1, 3] == 0.0).all()
+    assert (arrays["jacobian"] != 777.0).all()
+
+
+@pytest.mark.parametrize(
+    ("change", "error", "message"),
+    [
+        ({"value": None}, TypeError, "out: gps also writes value"),
+        ({"valu": np.zeros(3)}, TypeError, "out has no argument 'valu'; did you mean 'value'"),
+        ({"value": [0.0] * 3}, TypeError, "out: value must be a NumPy array, got list"),
+        ({"value": np.zeros(4)}, ValueError, r"out: value must be float64 of shape \(3,\); got"),
+        ({"value": np.zeros(3, np.float32)}, ValueError, "got float32"),
+        ({"value": np.zeros(6)[::2]}, ValueError, "out: value must be contiguous"),
+        ({"value": np.broadcast_to(0.0, (3,))}, ValueError, "out: value is read-only"),
+    ],
+)
+def test_unfit_arrays_are_refused(
+    functions: ModuleType,
+    rng: np.random.Generator,
+    change: dict[str, Any],
+    error: type[Exception],
+    message: str,
+) -> None:
+    """Type, shape, strides and names of what is written to."""
+    given = packages.arguments(FUNCTIONS["gps"], rng)
+    out = {key: value for key, value in {**empty("gps", ()), **change}.items() if value is not None}
+    with pytest.raises(error, match=message):
+        called(functions.gps, given, out=out)
+
+
+def test_overlap_is_refused(functions: ModuleType, rng: np.random.Generator) -> None:
+    """Compiled code assumes that what it writes is not what it reads."""
+    given = packages.arguments(FUNCTIONS["gps"], rng)
+    arrays = empty("gps", ())
+    with pytest.raises(ValueError, match="an output shares memory with x"):
+        called(functions.gps, given, out={**arrays, "value": given["x"][:3]})
+    with pytest.raises(ValueError, match="an output shares memory with another output"):
+        memory = np.zeros(36)
+        overlap = {**arrays, "value": memory[:3], "jacobian": memory.reshape(3, 12)}
+        called(functions.gps, given, out=overlap)
+    with pytest.raises(TypeError, match=r"out: gps writes value, length, jacobian, .*; got 2"):
+        called(functions.gps, given, out=(np.zeros(3), np.zeros(())))
+
+
+@pytest.mark.parametrize("batch", [(), (4,)], ids=str)
+@pytest.mark.parametrize("name", ["gps", "ranges"])
+def test_bound_calls_see_changes(
+    functions: ModuleType, rng: np.random.Generator, name: str, batch: tuple[int, ...]
+) -> None:
+    """A bound call reads its arrays anew and writes the same arrays each time."""
+    form = getattr(functions, name)
+    given = packages.arguments(FUNCTIONS[name], rng, *batch)
+    given["x"] = np.ascontiguousarray(given["x"])
+    call = called(form.bind, {k: np.asarray(v) for k, v in given.items()})
+    first = call()
+    held = first.value.copy()
+    given["x"][..., :3] += 10.0
+    second = call()
+    assert second.value is first.value
+    assert not np.array_equal(second.value, held)
+    assert second.value == pytest.approx(called(form, given).value, rel=1e-15)
+
+
+def test_bound_calls_write_to_given_arrays(
+    package: ModuleType, functions: ModuleType, rng: np.random.Generator
+) -> None:
+    """Outputs may be parts of larger arrays; failures raise as ever."""
+    given = packages.arguments(FUNCTIONS["gps"], rng)
+    arrays = empty("gps", ())
+    stack = np.zeros((9, 12))
+    arrays["jacobian"] = stack[3:6]
+    call = called(functions.gps.bind, given, out=arrays)
+    call()
+    assert stack[3:6] == pytest.approx(called(functions.gps, given).jacobian, rel=1e-15)
+    given["lever_arm"][2] = 11.0
+    with pytest.raises(package.GuardError, match=r"lever_arm\[2\]"):
+        call()
+    given["lever_arm"][2] = 1.0
+    assert call().status == package.Status.OK
+
+
+def test_bound_calls_report_bad_items(
+    package: ModuleType, functions: ModuleType, rng: np.random.Generator
+) -> None:
+    """A partial epoch is a result, and the next one is whole again."""
+    given = packages.arguments(FUNCTIONS["ranges"], rng)
+    call = called(functions.ranges.bind, given)
+    assert call().status == package.Status.OK
+    keep = given["satellite"][1, 1]
+    given["satellite"][1, 1] = np.nan
+    result = call()
+    assert (result.status, result.item_status.tolist()) == (7, [0, 2, 0, 0, 0])
+    given["satellite"][1, 1] = keep
+    assert call().item_status.tolist() == [0, 0, 0, 0, 0]
+
+
+def test_only_lasting_arrays_are_bound(functions: ModuleType, rng: np.random.Generator) -> None:
+    """What would be copied could not be seen to change."""
+    given = packages.arguments(FUNCTIONS["gps"], rng)
+    for arm in ([1.0, 2.0, 3.0], np.zeros(3, np.float32), np.zeros(6)[::2]):
+        with pytest.raises(TypeError, match="bind: lever_arm must be a contiguous NumPy array of"):
+            functions.gps.bind(given["x"], lever_arm=arm)
+    assert functions.operations.bind(a=0.5, b=1.5)().value[0] == 2.0
+
+
+def test_tables_of_nonzeros(functions: ModuleType, rng: np.random.Generator) -> None:
+    """Rows and columns put the non-zeros back where they belong."""
+    given = packages.arguments(FUNCTIONS["gps"], rng, 2)
+    dense = np.zeros((2, 3, 12))
+    nonzeros = called(functions.gps.nonzeros, given)[0]
+    dense[:, functions.gps.jacobian_rows, functions.gps.jacobian_columns] = nonzeros
+    assert dense == pytest.approx(called(functions.gps, given).jacobian, rel=1e-15)
+    with pytest.raises(ValueError, match="read-only"):
+        functions.gps.jacobian_rows[0] = 1
+
+
+def test_tables_of_moving_nonzeros(functions: ModuleType, rng: np.random.Generator) -> None:
+    """A non-zero in the column of a slot is listed at index zero."""
+    given = packages.arguments(FUNCTIONS["ranges"], rng)
+    columns = np.tile(functions.ranges.jacobian_columns, (5, 1))
+    assert columns[0].tolist() == [0, 1, 2, 6, 7, 8]
+    columns[:, 5] += given["slot"]
+    dense = np.zeros((5, 12))
+    dense[np.arange(5)[:, None], columns] = called(functions.ranges.nonzeros, given)
+    assert dense == pytest.approx(called(functions.ranges, given).jacobian, rel=1e-15)
