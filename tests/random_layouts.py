@@ -44,7 +44,7 @@ def tables(draw: st.DrawFn) -> Table:
         ],
         "state": draw(st.permutations(states)),
         "measurement": [
-            _gnss(draw, bindings, position_kind),
+            _gnss(draw, bindings if position_kind != "ecef" else {}, position_kind),
             _range(draw, bindings, position_kind, clock),
         ],
     }

@@ -129,6 +129,15 @@ def _position_conventions(options: Mapping[str, OptionValue]) -> tuple[str, ...]
     )
 
 
+def _position_frames(
+    known: Mapping[str, str], axes: Mapping[str, str], level: str | None
+) -> Mapping[str, str]:
+    """The attitude is that in the state's frame, or in the local level of a geodetic position."""
+    if level is not None:
+        return {"nav": level}
+    return {"nav": known["state"]} if "state" in known else {}
+
+
 def _one_observer(
     options: Mapping[str, OptionValue], bound: frozenset[str]
 ) -> tuple[tuple[str, str], ...]:
@@ -161,7 +170,7 @@ MODELS = (
         source="WarpTwin GPSMeasurements documentation; ekf_cal documentation, GPS filtering",
         roles=(
             point("position", "state", 1e7, "Position of the body origin."),
-            rotation("attitude", "body -> state", "R, attitude of the body.", optional=True),
+            rotation("attitude", "body -> nav", "R, attitude of the body.", optional=True),
             ARM,
             vector("offset", "m", "state", 1e7, "Position of the state frame's origin seen from "
                    "the observer's, in the state frame (pos_F_I__F).", optional=True),
@@ -176,6 +185,7 @@ MODELS = (
         mapped=False,
         always_double=False,
         function=gnss_position,
+        frame_rule=_position_frames,
         conventions=_position_conventions,
         check=_one_observer,
     ),

@@ -123,7 +123,7 @@ class _Parts:
         results = self._results(item)
         if not item:
             results += self._joins(definitions)
-        return _PartLowering(self, definitions, results, joins).run()
+        return _PartLowering(self, definitions, results, joins, "u" if item else "t").run()
 
     def _results(self, item: bool) -> list[sp.Expr]:
         """Output elements this part computes; arguments and numbers are left to ``_atom``."""
@@ -156,11 +156,13 @@ class _PartLowering:
         definitions: Sequence[Definition],
         results: Sequence[sp.Expr],
         joins: Mapping[sp.Expr, Expression],
+        stem: str,
     ) -> None:
         self._parts = parts
         self._definitions = definitions
         self._results = results
         self._joins = joins
+        self._stem = stem
         self._inputs: dict[str, tuple[ca.SX, Expression]] = {}
         self._table: dict[sp.Symbol, ca.SX] = {}
 
@@ -181,7 +183,7 @@ class _PartLowering:
         everything = [*results, *checks, *(value for _, value in labels)]
         if not everything:
             return _Lowered((), {})
-        program = _Program(everything, [sx for sx, _ in self._inputs.values()])
+        program = _Program(everything, [sx for sx, _ in self._inputs.values()], self._stem)
         sources = [expression for _, expression in self._inputs.values()]
         program.name([name for name, _ in labels], offset=len(results) + len(checks))
         steps = program.steps(
@@ -218,14 +220,18 @@ class _Node:
 
 
 class _Program:
-    """The instruction list of one SX function in single-assignment form."""
+    """The instruction list of one SX function in single-assignment form.
 
-    def __init__(self, outputs: Sequence[ca.SX], inputs: Sequence[ca.SX]) -> None:
+    Values without a name are called ``stem`` and a number; the two parts have different stems.
+    """
+
+    def __init__(self, outputs: Sequence[ca.SX], inputs: Sequence[ca.SX], stem: str) -> None:
         stacked = ca.vertcat(*[ca.densify(e) for e in outputs])
         self._function = ca.Function("part", [ca.vertcat(*inputs)], [ca.cse(stacked)])
         self.nodes: list[_Node] = []
         self.outputs: dict[int, int] = {}
         self.names: dict[int, str] = {}
+        self._stem = stem
         self._read()
 
     def _read(self) -> None:
@@ -324,7 +330,7 @@ class _Program:
         return code in ir.CONDITIONS
 
     def _target(self, value: int) -> str:
-        return self.names.get(value, f"t{value}")
+        return self.names.get(value, f"{self._stem}{value}")
 
     def reference(self, value: int, sources: Sequence[Expression]) -> Expression:
         """A value as an operand: its local, its load, its literal or its condition."""

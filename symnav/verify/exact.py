@@ -14,7 +14,7 @@ import sympy as sp
 from mpmath import mp
 
 from symnav.binding import STATE, Source
-from symnav.blocks import HeadingBlock, RotationBlock, frame_map
+from symnav.blocks import Block, HeadingBlock, RotationBlock, frame_map
 from symnav.blocks.heading import AXES
 from symnav.derive import Derivation
 from symnav.spec.records import Spec
@@ -23,8 +23,11 @@ from symnav.verify.numbers import ManyDigits
 from symnav.verify.retraction import Vector, retract, rotation_entries
 
 DIGITS = 50
-#: Step of the central differences: truncation 1e-36, rounding 1e-32 of a unit-sized derivative.
-STEP = mp.mpf(10) ** -18
+#: Differences are formed with more digits, so that truncation and rounding stay below 1e-45.
+DIFFERENCE_DIGITS = 80
+STEP = mp.mpf(10) ** -25
+#: A difference smaller than this part of its operands is their rounding: the derivative is zero.
+CANCELLED = mp.mpf(10) ** -70
 
 Arguments = Mapping[str, Sequence[Any]]
 
@@ -79,9 +82,16 @@ class Exact:
         Returns:
             elements by output name, Jacobians row-major.
         """
+        results = self.values(arguments)
+        with mp.workdps(DIFFERENCE_DIGITS):
+            results |= self._derived(self._on_manifold(arguments))
+        return results
+
+    def _derived(self, arguments: Arguments) -> dict[str, Vector]:
+        """Jacobians, rates and mapped covariances."""
         equation = self._derivation.equation
         held = self._held(arguments)
-        results = self._values(arguments, held)
+        results: dict[str, Vector] = {}
         first = next(iter(equation.outputs))
         for output in self._derivation.outputs:
             if output.kind == "jacobian":
@@ -175,7 +185,22 @@ class Exact:
             moved = self._moved(arguments, source, j, step)
             env = self._environment(moved, held)
             ends.append([f(env) for f in self._outputs[output]])
-        return [(a - b) / (2 * STEP) for a, b in zip(*ends, strict=True)]
+        return [_quotient(a, b) for a, b in zip(*ends, strict=True)]
+
+    def _on_manifold(self, arguments: Arguments) -> Arguments:
+        """Quaternions made unit to the last digit, where the convention trusts them to be.
+
+        A stored quaternion is a unit one rounded to double; the tangent of its error is that of
+        the unit one.
+        """
+        exact = {name: list(x) for name, x in arguments.items()}
+        for place in self._spec.layout.places.values():
+            if STATE in exact and _trusted(place.block):
+                exact[STATE][place.storage] = _unit(exact[STATE][place.storage])
+        for name, declared in self._spec.inputs.items():
+            if name in exact and _trusted(declared.block):
+                exact[name] = _unit(exact[name])
+        return exact
 
     def _moved(self, arguments: Arguments, source: Source, j: int, step: Any) -> Arguments:
         d = [mp.mpf(0)] * (source.size if source.slot is None else 1)
@@ -245,3 +270,22 @@ def _sandwich(columns: Sequence[Vector], covariance: Vector) -> Vector:
     return [
         sum(half[i][m] * j[n][m] for m in range(size)) for i in range(rows) for n in range(rows)
     ]
+
+
+def _quotient(ahead: Any, behind: Any) -> Any:
+    difference = ahead - behind
+    if abs(difference) < CANCELLED * (abs(ahead) + abs(behind)):
+        return mp.mpf(0)
+    return difference / (2 * STEP)
+
+
+def _trusted(block: Block) -> bool:
+    """True for a quaternion that kernels take as unit."""
+    if not isinstance(block, RotationBlock) or block.storage == "dcm":
+        return False
+    return not block.normalise and block.error != "storage"
+
+
+def _unit(q: Sequence[Any]) -> Vector:
+    length = mp.sqrt(sum(e * e for e in q))
+    return [e / length for e in q]

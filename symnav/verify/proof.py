@@ -22,8 +22,8 @@ from symnav.verify.exact import DIGITS, Exact
 from symnav.verify.references import quantities
 from symnav.verify.retraction import retract as exact_retract
 from symnav.verify.sampling import Samples, draw
-from symnav.verify.scale import Scale
-from symnav.verify.sheet import Finding, ProofSheet, Row
+from symnav.verify.scale import ScaleOf, Scales
+from symnav.verify.sheet import LIMITS, Finding, ProofSheet, Row, roundings
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.intp]
@@ -74,10 +74,16 @@ class _FunctionProof:
         comparison: str,
         a: Array,
         b: Array,
-        scale: Array,
+        scales: Scales,
         rows: Indices,
     ) -> None:
         """Record |a - b| of one output, block by block of its columns."""
+        scale = scales.limited(LIMITS[comparison], roundings(comparison))
+        if comparison.startswith("casadi"):
+            # Automatic differentiation cancels terms of its own, as large as its largest result.
+            scale = np.broadcast_to(
+                scale.max(axis=tuple(range(1, scale.ndim)), keepdims=True), scale.shape
+            )
         for block, columns, unit in self._blocks(output):
             key = (block, comparison)
             worst = self.worst.setdefault(key, _Worst(unit))
@@ -189,7 +195,7 @@ def _prove_function(
                 f"only {good.size} of {len(results['numpy'].ok)} samples are inside the domain",
             )
         )
-    scales = Scale(derivation).outputs({name: a[good] for name, a in flat.items()})
+    scales = ScaleOf(derivation).outputs({name: a[good] for name, a in flat.items()})
     for output in derivation.outputs:
         if "native" in results:
             a, b = results["native"].get(output, good), results["numpy"].get(output, good)
@@ -261,7 +267,7 @@ def _statuses(derivation: Derivation, results: Mapping[str, _Evaluated]) -> list
 def _compare_exact(
     proof: _FunctionProof,
     results: Mapping[str, _Evaluated],
-    scales: Mapping[str, Array],
+    scales: Mapping[str, Scales],
     good: Indices,
     few: Indices,
 ) -> None:
@@ -277,7 +283,7 @@ def _compare_exact(
             for output in derivation.outputs:
                 plain = output.name in derivation.equation.outputs
                 against = "50 digits" if plain else "differences"
-                scale = scales[output.name][place[int(row)] : place[int(row)] + 1]
+                scale = scales[output.name].at(np.array([place[int(row)]]))
                 for name, result in results.items():
                     if name == "native_f32" and not result.ok[row]:
                         continue
@@ -299,7 +305,7 @@ def _compare_reference(
     proof: _FunctionProof,
     reference: Reference,
     result: _Evaluated,
-    scales: Mapping[str, Array],
+    scales: Mapping[str, Scales],
     good: Indices,
     few: Indices,
 ) -> None:
@@ -318,7 +324,7 @@ def _compare_reference(
             for output in derivation.outputs:
                 if output.name in truth:
                     error = _differences(result.get(output, chosen), truth[output.name])
-                    scale = scales[output.name][place[int(row)] : place[int(row)] + 1]
+                    scale = scales[output.name].at(np.array([place[int(row)]]))
                     proof.compare(
                         output, "numpy vs reference", error, np.zeros_like(error), scale, chosen
                     )

@@ -60,6 +60,8 @@ def draw(spec: Spec, derivation: Derivation, count: int, seed: int, items: int =
     """
     rng = np.random.default_rng([seed, *map(ord, derivation.name)])
     mapped = derivation.mapped
+    if derivation.entry is not None and derivation.entry.maximum is not None:
+        items = min(items, derivation.entry.maximum)
     arguments: dict[str, Array] = {}
     for name in derivation.arguments:
         if name == STATE or (derivation.entry is None and name == "y"):
@@ -105,7 +107,9 @@ def random_value(block: Block, rng: Rng) -> Array:
 def edges(block: Block) -> list[Callable[[Rng], Array]]:
     """Generators of the block's edge values."""
     if isinstance(block, RotationBlock):
-        return [lambda rng, q=q: _stored(block, q(rng)) for q in _ROTATIONS]  # type: ignore[misc]
+        # An additive rotation vector has no neighbourhood at a half turn.
+        turns = [q for q in _ROTATIONS if q is not _half_turn or block.error != "rotation_vector"]
+        return [lambda rng, q=q: _stored(block, q(rng)) for q in turns]  # type: ignore[misc]
     lower, upper = _bounds(block)
     middle = np.clip(np.zeros_like(lower), lower, upper)
     values = [middle, lower, upper, np.clip(middle + 1e-12, lower, upper)]
@@ -118,14 +122,19 @@ def edges(block: Block) -> list[Callable[[Rng], Array]]:
     return [lambda rng, v=v: v.copy() for v in values]  # type: ignore[misc]
 
 
+def _half_turn(rng: Rng) -> Array:
+    row: Array = np.eye(4)[1 + int(rng.integers(3))]
+    return row
+
+
 _ROTATIONS: tuple[Callable[[Rng], Array], ...] = (
     lambda rng: np.array([1.0, 0.0, 0.0, 0.0]),
     lambda rng: -np.array([1.0, 0.0, 0.0, 0.0]),
     lambda rng: _axis_angle(np.array([0.0, 0.0, 1.0]), rng.uniform(-np.pi, np.pi)),
-    lambda rng: np.eye(4)[1 + int(rng.integers(3))],
+    _half_turn,
     lambda rng: -_unit(rng.normal(size=4)),
     lambda rng: _axis_angle(rng.normal(size=3), 1e-9),
-    lambda rng: _axis_angle(rng.normal(size=3), np.pi - 1e-7),
+    lambda rng: _axis_angle(rng.normal(size=3), np.pi - 1e-6),
 )
 
 

@@ -1,23 +1,53 @@
-"""The scale of an error: |h| + sum_j |dh/dx_j| |x_j|.
+"""The scale of an error.
 
-An output that is a small difference of large inputs cannot be more exact than the inputs' own
-rounding lets it be; errors are measured against what one part in 2^52 of each input would do.
+The strict scale of an output is |h| + sum_j |dh/dx_j| |x_j| over its inputs: what one relative
+rounding of every input does to it. It vanishes where inputs are zero or the geometry is symmetric
+(a satellite on the axis, a half turn) although the terms of the equation are not small there. The
+full scale adds sum_k |dh/dt_k| |t_k| over the named terms: what one rounding of every intermediate
+step does. An error passes when it is within its limit at the strict scale, or within a few units
+in the last place at the full one.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 
 import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from symnav.derive import Derivation
+from symnav.derive import Derivation, DerivedOutput
 from symnav.verify import closures
 from symnav.verify.numbers import Array, Graded, Gradients
 
+#: Samples per pass, so that the gradients by every term stay small in memory.
+CHUNK = 64
 
-class Scale:
+
+@dataclass(frozen=True)
+class Scales:
+    """Strict and full scale of one output: (S, rows) or (S, rows, columns)."""
+
+    strict: Array
+    full: Array
+
+    def limited(self, relative: float, roundings: float) -> Array:
+        """The scale at which ``relative`` is the limit.
+
+        Args:
+            relative: limit at the strict scale.
+            roundings: allowed at the full scale, in absolute terms (such as 8 * 2^-52).
+        """
+        scale: Array = np.maximum(self.strict, self.full * (roundings / relative))
+        return scale
+
+    def at(self, rows: NDArray[np.intp]) -> Scales:
+        """The scales of some samples."""
+        return Scales(self.strict[rows], self.full[rows])
+
+
+class ScaleOf:
     """Scales of every output element of a derivation, Jacobians included."""
 
     def __init__(self, derivation: Derivation) -> None:
@@ -26,58 +56,87 @@ class Scale:
         self._steps = [
             (d.symbol, closures.closure(d.expression, system)) for d in derivation.definitions
         ]
-        self._outputs = {
+        self._values = {
             output.name: {key: closures.closure(e, system) for key, e in output.entries.items()}
             for output in derivation.outputs
         }
 
-    def outputs(self, arguments: Mapping[str, NDArray[np.float64]]) -> dict[str, Array]:
-        """Scales by output name: (S, rows) or (S, rows, columns); zero where structurally zero.
+    def outputs(self, arguments: Mapping[str, Array]) -> dict[str, Scales]:
+        """Scales by output name; zero where structurally zero.
 
         Args:
             arguments: (S, size) arrays by argument name, one item each.
         """
-        env = self._environment(arguments)
-        samples = len(next(iter(arguments.values())))
+        count = len(next(iter(arguments.values())))
+        pieces = [
+            self._chunk({name: a[start : start + CHUNK] for name, a in arguments.items()})
+            for start in range(0, count, CHUNK)
+        ]
+        return {
+            output.name: Scales(
+                np.concatenate([piece[output.name].strict for piece in pieces]),
+                np.concatenate([piece[output.name].full for piece in pieces]),
+            )
+            for output in self._derivation.outputs
+        }
+
+    def _chunk(self, arguments: Mapping[str, Array]) -> dict[str, Scales]:
+        env, inputs = self._environment(arguments)
+        samples, width = inputs.shape
+        sizes = np.zeros((samples, width))
+        sizes[:, : len(env)] = np.abs(inputs[:, : len(env)])
+        known = len(env)
         with np.errstate(all="ignore"):
-            for symbol, value in self._steps:
-                env[symbol] = value(env)
+            for k, (symbol, value) in enumerate(self._steps):
+                number = value(env)
+                if isinstance(number, Graded):
+                    slope = np.broadcast_to(number.slope, sizes.shape).copy()
+                    slope[:, known + k] = 1.0
+                    sizes[:, known + k] = np.abs(number.value)
+                    number = Graded(number.value, slope)
+                env[symbol] = number
             return {
-                output.name: self._dense(output.name, env, samples)
+                output.name: self._scales(output, env, sizes, known)
                 for output in self._derivation.outputs
             }
 
-    def _dense(self, name: str, env: dict[sp.Symbol, Graded], samples: int) -> Array:
-        output = next(o for o in self._derivation.outputs if o.name == name)
-        columns = max(output.columns, 1)
-        result = np.zeros((samples, output.rows, columns))
-        for (row, column), value in self._outputs[name].items():
-            number = value(env)
-            result[:, row, column] = self._magnitude(number)
-        return result if output.kind == "jacobian" else result[:, :, 0]
+    def _scales(
+        self, output: DerivedOutput, env: Mapping[sp.Symbol, Graded], sizes: Array, known: int
+    ) -> Scales:
+        shape = (len(sizes), output.rows, max(output.columns, 1))
+        strict, full = np.zeros(shape), np.zeros(shape)
+        for (row, column), value in self._values[output.name].items():
+            number = value(dict(env))
+            if not isinstance(number, Graded):
+                strict[:, row, column] = full[:, row, column] = abs(float(number))
+                continue
+            parts = np.abs(number.slope) * sizes
+            parts = np.where(sizes == 0.0, 0.0, parts)
+            strict[:, row, column] = np.abs(number.value) + parts[:, :known].sum(axis=1)
+            full[:, row, column] = np.abs(number.value) + parts.sum(axis=1)
+        if output.kind == "jacobian":
+            return Scales(strict, full)
+        return Scales(strict[:, :, 0], full[:, :, 0])
 
-    def _magnitude(self, number: Graded | float) -> Array | float:
-        if not isinstance(number, Graded):
-            return abs(float(number))
-        moved: Array = np.sum(np.abs(number.slope) * self._inputs, axis=1)
-        return np.abs(number.value) + moved
-
-    def _environment(self, arguments: Mapping[str, NDArray[np.float64]]) -> dict[sp.Symbol, Graded]:
-        origins = [(s, o) for s, o in self._derivation.origins.items() if o.argument in arguments]
+    def _environment(self, arguments: Mapping[str, Array]) -> tuple[dict[sp.Symbol, Graded], Array]:
+        """Argument symbols with unit gradients; columns after them belong to the named terms."""
+        derivation = self._derivation
+        origins = [(s, o) for s, o in derivation.origins.items() if o.argument in arguments]
+        width = len(origins) + len(self._steps)
         columns = []
         for _, origin in origins:
-            index: int | NDArray[np.int64] = origin.index
             values = arguments[origin.argument]
-            if origin.slot is not None:
-                slot = self._derivation.origins[origin.slot]
-                index = origin.index + arguments[slot.argument][:, 0].astype(np.int64)
-                columns.append(values[np.arange(len(values)), index])
-            else:
-                columns.append(values[:, index])
+            if origin.slot is None:
+                columns.append(values[:, origin.index])
+                continue
+            slots = arguments[derivation.origins[origin.slot].argument][:, 0].astype(np.intp)
+            columns.append(values[np.arange(len(values)), origin.index + slots])
         stacked = np.stack(columns, axis=1)
-        self._inputs = np.abs(stacked)
-        identity = np.eye(len(origins))
-        return {
-            symbol: Graded(stacked[:, k].copy(), np.tile(identity[k], (len(stacked), 1)))
-            for k, (symbol, _) in enumerate(origins)
-        }
+        env = {}
+        for k, (symbol, _) in enumerate(origins):
+            slope = np.zeros((len(stacked), width))
+            slope[:, k] = 1.0
+            env[symbol] = Graded(stacked[:, k].copy(), slope)
+        padded = np.zeros((len(stacked), width))
+        padded[:, : len(origins)] = stacked
+        return env, padded
