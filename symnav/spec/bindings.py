@@ -148,8 +148,6 @@ class _Binder:
                     bindings[role.name] = binding
 
     def _silent(self, role: Role) -> str | None:
-        if role.name in self.known.inputs:
-            return role.name
         if role.optional:
             return "none"
         if role.name in self.known.states:

@@ -261,13 +261,12 @@ def _bounds(
 
 
 def check_error_frames(
-    blocks: Mapping[str, Block], paths: Mapping[str, str], others: Mapping[str, Block],
-    problems: Problems,
-) -> None:  # fmt: skip
+    blocks: Mapping[str, Block], paths: Mapping[str, str], problems: Problems
+) -> None:
     """Every error frame needs a rotation, state block or input, that reaches it."""
     ends = [
         set(frame_map(block.maps))
-        for block in (*blocks.values(), *others.values())
+        for block in blocks.values()
         if isinstance(block, (RotationBlock, HeadingBlock))
     ]
     for name, block in blocks.items():

@@ -10,12 +10,11 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from symnav import naming
-from symnav.blocks import Block
 from symnav.equations import library
 from symnav.equations.model import Model
 from symnav.errors import InputError, Problem, SpecError
@@ -25,7 +24,6 @@ from symnav.spec import inputs as stage
 from symnav.spec.bindings import Bound, Known, bind
 from symnav.spec.canonical import canonical_text
 from symnav.spec.declarations import (
-    Frames,
     Names,
     check_error_frames,
     declared_frames,
@@ -101,14 +99,24 @@ def from_table(
     return stages.run(source)
 
 
-@dataclass
-class _Stages:
-    """What the stages share: the tables, and what each stage adds."""
+Found = tuple[str, Row, Bound | None]
 
-    tables: Tables
-    models: Mapping[str, Model]
-    problems: Problems
-    _paths: dict[str, str] = field(default_factory=dict)
+
+class _Stages:
+    """The stages after reading, and what they share."""
+
+    def __init__(self, tables: Tables, models: Mapping[str, Model], problems: Problems) -> None:
+        self.tables = tables
+        self.models = models
+        self.problems = problems
+        self.frames = declared_frames(tables, problems)
+        self.names = Names(problems)
+        self.states = state_blocks(tables, self.frames, self.names)
+        self.declared = {
+            row.table.name: row
+            for row in tables.inputs
+            if self.names.give(row.table.name, Use.INPUT, f"{row.path}.name")
+        }
 
     def run(self, source: str) -> Spec:
         """All stages in order.
@@ -116,30 +124,19 @@ class _Stages:
         Raises:
             SpecError: after the last stage that can still find something.
         """
-        frames = declared_frames(self.tables, self.problems)
-        names = Names(self.problems)
-        states = state_blocks(self.tables, frames, names)
-        declared = self._declared_inputs(names)
-        known = Known(states, frozenset(declared), self.tables.broken)
-        bounds = self._bind(known)
-        scope, drafts = self._complete(bounds, states, declared, frames, names)
-        self._check(drafts, scope, declared, frames)
+        known = Known(self.states, frozenset(self.declared), self.tables.broken)
+        found = self._bind(known)
+        scope, drafts = self._complete(found)
+        self._check(drafts, scope)
         self._head(drafts)
         self.problems.raise_if_any(source)
-        measured = self._measure(drafts, scope, declared, frames)
+        measured = self._measure(drafts, scope)
         self.problems.raise_if_any(source)
-        return self._spec(scope, measured, frames, drafts)
-
-    def _declared_inputs(self, names: Names) -> dict[str, Row]:
-        return {
-            row.table.name: row
-            for row in self.tables.inputs
-            if names.give(row.table.name, Use.INPUT, f"{row.path}.name")
-        }
+        return self._spec(scope, measured, drafts)
 
     # -- entries ---------------------------------------------------------------------------------
 
-    def _bind(self, known: Known) -> list[tuple[str, Row, Bound | None]]:
+    def _bind(self, known: Known) -> list[Found]:
         """Every entry in order; None for user equations and for entries without a model."""
         functions: dict[str, str] = {}
         found = []
@@ -202,53 +199,53 @@ class _Stages:
             self.problems.add(f"{row.path}.model", f"{name!r} stands in [[{model.section}]]")
         return model
 
-    def _complete(
-        self,
-        found: list[tuple[str, Row, Bound | None]],
-        states: dict[str, Block],
-        declared: dict[str, Row],
-        frames: Frames,
-        names: Names,
-    ) -> tuple[Scope, list[Draft]]:
+    def _complete(self, found: list[Found]) -> tuple[Scope, list[Draft]]:
         """Frames, inputs, ranges and user equations; blocks are complete afterwards."""
         bounds = [bound for _, _, bound in found if bound is not None]
-        maps = stage.resolve_all(bounds, states, declared, frames)
-        wanted = stage.wanted_inputs(bounds, maps, states)
-        for name, uses in wanted.items():
-            if name not in declared:
-                names.give(name, Use.INPUT, uses[0].path)
-        measured = {residual_name(row.table) for _, row, _ in found}
-        inputs: dict[str, Input] = {}
-        for name in dict.fromkeys([*declared, *wanted]):
-            if name in measured and name not in wanted:
-                continue
-            given = stage.complete_input(name, declared.get(name), wanted.get(name, []), frames)
-            if given is not None:
-                inputs[name] = given
-        uses_of = stage.wanted_states(bounds)
+        maps = stage.resolve_all(bounds, self.states, self.declared, self.frames)
+        inputs = self._inputs(found, stage.wanted_inputs(bounds, maps, self.states))
+        uses = stage.wanted_states(bounds)
         states = {
-            name: stage.with_range(block, uses_of.get(name, [])) for name, block in states.items()
+            name: stage.with_range(block, uses.get(name, [])) for name, block in self.states.items()
         }
         paths = {row.table.name: row.path for row in self.tables.states}
-        others = {name: given.block for name, given in inputs.items()}
-        check_error_frames(states, paths, others, self.problems)
+        paths |= {name: row.path for name, row in self.declared.items()}
+        blocks = {**states, **{name: given.block for name, given in inputs.items()}}
+        check_error_frames(blocks, paths, self.problems)
         scope = Scope(states, inputs)
-        by_path = {bound.path: frame_map for bound, frame_map in zip(bounds, maps, strict=True)}
+        by_path = {bound.path: frames for bound, frames in zip(bounds, maps, strict=True)}
         drafts = []
         for section, row, bound in found:
             scalars = self._scalars(row.table, row.path)
             if bound is not None:
                 drafts.append(library_draft(bound, row, by_path[row.path], scalars))
             elif row.table.equation is not None and row.table.model is None:
-                draft = self._user_draft(section, row, scope, frames, scalars)
+                draft = self._user_draft(section, row, scope, scalars)
                 drafts += [draft] if draft is not None else []
         return scope, drafts
 
-    def _user_draft(
-        self, section: str, row: Row, scope: Scope, frames: Frames, scalars: tuple[str, ...]
-    ) -> Draft | None:
+    def _inputs(
+        self, found: list[Found], wanted: Mapping[str, list[stage.Wanted]]
+    ) -> dict[str, Input]:
+        """Declared inputs, then implied ones; measured values come when outputs are known."""
+        for name, uses in wanted.items():
+            if name not in self.declared:
+                self.names.give(name, Use.INPUT, uses[0].path)
+        measured = {residual_name(row.table) for _, row, _ in found}
+        inputs = {}
+        for name in dict.fromkeys([*self.declared, *wanted]):
+            if name in measured and name not in wanted:
+                continue
+            row, uses = self.declared.get(name), wanted.get(name, [])
+            given = stage.complete_input(name, row, uses, self.frames)
+            if given is not None:
+                inputs[name] = given
+        return inputs
 
-        made = make(row.table, section, row.path, scope, frames)
+    def _user_draft(
+        self, section: str, row: Row, scope: Scope, scalars: tuple[str, ...]
+    ) -> Draft | None:
+        made = make(row.table, section, row.path, scope, self.frames)
         if made is None:
             return None
         return Draft(
@@ -257,10 +254,7 @@ class _Stages:
 
     # -- checks ----------------------------------------------------------------------------------
 
-    def _check(
-        self, drafts: list[Draft], scope: Scope, declared: dict[str, Row], frames: Frames
-    ) -> None:
-
+    def _check(self, drafts: list[Draft], scope: Scope) -> None:
         for draft in drafts:
             check(draft, scope, self.problems)
         used = {name for draft in drafts for name in draft.inputs}
@@ -273,11 +267,11 @@ class _Stages:
                 )
         complete = len(drafts) == len(self.tables.entries) and all(d.sound for d in drafts)
         roles = [role.name for draft in drafts for role in draft.model.roles]
-        for name, row in declared.items():
+        for name, row in self.declared.items():
             if complete and name not in used and name not in measured:
                 self.problems.add(
                     f"{row.path}.name",
-                    f"{name!r} is read by no measurement or correction{suggestion(name, roles)}",
+                    f"{name!r} is read by no measurement or correction{_remedy(name, roles)}",
                 )
 
     def _head(self, drafts: list[Draft]) -> None:
@@ -301,9 +295,7 @@ class _Stages:
 
     # -- the end ---------------------------------------------------------------------------------
 
-    def _measure(
-        self, drafts: list[Draft], scope: Scope, declared: dict[str, Row], frames: Frames
-    ) -> dict[str, Input]:
+    def _measure(self, drafts: list[Draft], scope: Scope) -> dict[str, Input]:
         """Inputs of residuals; entries that share a name must agree on what it is."""
         found: dict[str, Input] = {}
         for draft in drafts:
@@ -315,7 +307,7 @@ class _Stages:
             if reason is not None:
                 self.problems.add(path, reason)
                 continue
-            given = measured_input(draft, declared.get(name), scope, frames)
+            given = measured_input(draft, self.declared.get(name), scope, self.frames)
             if given is None:
                 continue
             given = replace(given, block=replace(given.block, description="Measured value."))
@@ -327,15 +319,12 @@ class _Stages:
                 )
         return found
 
-    def _spec(
-        self, scope: Scope, measured: dict[str, Input], frames: Frames, drafts: list[Draft]
-    ) -> Spec:
-
+    def _spec(self, scope: Scope, measured: dict[str, Input], drafts: list[Draft]) -> Spec:
         entries: list[Entry] = [entry(draft) for draft in drafts]
         every = [*self._scalars(None, ""), *(s for e in entries for s in e.scalars)]
         scalars = ordered_scalars(every)
         inputs = {**scope.inputs, **measured}
-        declared = tuple(frames.declared.values())
+        declared = tuple(self.frames.declared.values())
         head = self.tables.head
         text = canonical_text(
             head["name"], head["description"], declared, tuple(scope.states.values()), inputs,
@@ -343,6 +332,13 @@ class _Stages:
         )  # fmt: skip
         layout = Layout(tuple(scope.states.values()))
         return Spec(head["name"], declared, layout, inputs, tuple(entries), scalars, text)
+
+
+def _remedy(name: str, roles: list[str]) -> str:
+    """What to do about an input that nothing reads."""
+    if name in roles:
+        return f"; write {name} = {name!r} where it is wanted, or leave it out"
+    return suggestion(name, roles) or "; leave it out"
 
 
 _SCALAR_KEYS = {"scalar", "scalars"}
