@@ -187,9 +187,7 @@ def difference_covariance(sigma: Any, reference: int) -> Array:
     return covariance
 
 
-def publish(
-    function: Function, module: str, joint: Callable[..., Any] | None = None
-) -> Callable[..., Any]:
+def publish(function: Function, module: str, joint: Callable[..., Any] | None = None) -> Any:
     """Makes the public function: a plain Python function that carries its other forms.
 
     Args:

@@ -31,28 +31,46 @@ def load_extension(package: Path, key: str) -> ModuleType:
             does not belong to this interpreter; the message says what to run.
     """
     record = package / _BUILD
-    command = f"symnav build {package.name}"
+    command = f"symnav build {_shown(package)}"
     if not record.is_file():
         raise ImportError(
             f"{package.name}: not compiled yet; run: {command} (needs a C compiler: apt install "
             "gcc libc6-dev python3-dev, dnf install gcc python3-devel, xcode-select --install, or "
             "the Build Tools for Visual Studio)"
         )
-    build = json.loads(record.read_text(encoding="utf-8"))
-    name = build.get(key)
+    try:
+        build = json.loads(record.read_text(encoding="utf-8"))
+        sources, name = build["sources"], build[key]
+    except (KeyError, TypeError, ValueError):
+        raise ImportError(f"{package.name}: {_BUILD} cannot be read; run: {command}") from None
+    changed = sorted(set(sources.items()) ^ set(_digests(package).items()))
+    if changed:
+        raise ImportError(
+            f"{package.name}: sources changed since the build ({changed[0][0]}); run: {command}"
+        )
     if not name:
         raise ImportError(f"{package.name}: no {key} extension was built; run: {command}")
-    for source, digest in build["sources"].items():
-        path = package / source
-        if not path.is_file() or hashlib.sha256(path.read_bytes()).hexdigest() != digest:
-            raise ImportError(
-                f"{package.name}: sources changed since the build ({source}); run: {command}"
-            )
     for suffix in EXTENSION_SUFFIXES:
         path = package / f"{name}{suffix}"
         if path.is_file():
             return _load(name, path)
     raise ImportError(f"{package.name}: {name} was built for another Python; run: {command}")
+
+
+def _shown(package: Path) -> str:
+    """The directory as one would type it."""
+    here = Path.cwd()
+    return str(package.relative_to(here) if package.is_relative_to(here) else package)
+
+
+def _digests(package: Path) -> dict[str, str]:
+    """Digests of the C as it is now."""
+    return {
+        path.relative_to(package).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest()
+        for folder in ("c", "casadi")
+        for path in (package / folder).rglob("*")
+        if path.suffix in (".c", ".h")
+    }
 
 
 def _load(name: str, path: Path) -> ModuleType:

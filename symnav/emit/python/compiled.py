@@ -71,7 +71,8 @@ def _door(function: ir.Function, result: str) -> Iterator[str]:
     yield from lay_out(head, before="def ", after=" -> Any:")
     yield "    try:"
     yield "        if ("
-    yield "            out is None and not _other"
+    yield "            out is None"
+    yield "            and not _other"
     yield from (f"            and {test}" for test in _tests(function))
     yield "        ):"
     for output in function.outputs:

@@ -82,7 +82,7 @@ def _block(domain: ir.Domain) -> list[str]:
 
 
 def _mark(text: str) -> Iterator[tuple[bool, str]]:
-    for number, line in enumerate(textwrap.wrap(text, width=WIDTH - 10)):
+    for number, line in enumerate(textwrap.wrap(text, width=WIDTH - 14)):
         yield number == 0, line
 
 
@@ -162,7 +162,7 @@ def _range(domain: ir.Domain) -> str:
 def _fill(text: str, indent: str) -> list[str]:
     return textwrap.wrap(
         text,
-        width=WIDTH - 4,
+        width=WIDTH - 8,
         initial_indent=indent,
         subsequent_indent=indent,
         break_long_words=False,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 
 from symnav import errors, ir
@@ -47,7 +48,7 @@ def interface(module: ir.Module) -> str:
         *_blocks(module),
     ]
     text = "\n".join(lines)
-    used = [name for name in _IMPORTED if f"{name}(" in text or f"{name}." in text]
+    used = [name for name in _IMPORTED if re.search(rf"\b{name}\b(?!\")", text)]
     return render(
         "package/_interface.py.j2",
         name=module.name,
@@ -60,6 +61,7 @@ def interface(module: ir.Module) -> str:
 
 _IMPORTED = (
     "Argument",
+    "Array",
     "Condition",
     "Domain",
     "Kind",

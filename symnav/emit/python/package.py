@@ -43,7 +43,7 @@ def emit(module: ir.Module, single: ir.Module | None = None) -> dict[str, str]:
     if single is not None:
         files["native_f32.py"] = native(single)
         files["native_f32.pyi"] = stub(single, ())
-    backends = ["casadi", "native", "numpy", *(["native_f32"] if single is not None else [])]
+    backends = ["casadi", "native", *(["native_f32"] if single is not None else []), "numpy"]
     files["__init__.py"] = _package(module, backends)
     files["__init__.pyi"] = stub(module, backends)
     files["_interface.py"] = interface(module)

@@ -48,8 +48,8 @@ def literal(value: float) -> str:
     text = repr(float(value)).replace("inf", "math.inf")
     if not math.isfinite(value):
         return text
-    short = str(Decimal(text).normalize()).lower().replace("e+", "e")
-    return short if len(short) < len(text) and "e" in short else text
+    scientific = f"{Decimal(text).normalize():E}".lower().replace("e+", "e")
+    return scientific if len(scientific) < len(text) else text
 
 
 def numbers(values: Sequence[float]) -> Piece:
@@ -78,7 +78,8 @@ def docstring(lines: Sequence[str], depth: int = 0) -> list[str]:
     indent = _INDENT * depth
     safe = [line.replace("\\", "\\\\").replace('"' * 3, "'" * 3) for line in lines]
     first, *rest = safe
-    lines = [f'"""{first}', *rest, '"""'] if rest else [f'"""{first}"""']
+    room = " " if first.endswith('"') else ""
+    lines = [f'"""{first}', *rest, '"""'] if rest else [f'"""{first}{room}"""']
     return [f"{indent}{line}".rstrip() for line in lines]
 
 
