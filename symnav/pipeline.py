@@ -113,12 +113,11 @@ def emit(spec: Spec, derived: Derived) -> dict[str, str]:
     from symnav.emit import c, numpy, python
     from symnav.lower import casadi, casadi_witness, sympy
     from symnav.lower.module import module, through
-    from symnav.lower.passes.inline import inline
     from symnav.lower.passes.reciprocals import share_reciprocals
 
     everything = (*derived.layout, *derived.entries)
     lowered = [casadi.lower(spec, derivation) for derivation in everything]
-    c_functions = through(lowered, share_reciprocals, inline)
+    c_functions = through(lowered, share_reciprocals)
     numpy_functions = [sympy.lower(spec, derivation) for derivation in everything]
     double = module(spec, c_functions)
     vectorised = module(spec, numpy_functions)

@@ -145,7 +145,10 @@ def _output(
     values: Values,
     slots: Mapping[str, ir.Load],
 ) -> ir.Output:
-    scalar = derivation.mapped and output.rows == 1
+    # A measurement keeps its one row, so that its Jacobian is a matrix; other results are scalars.
+    primary = output.name in (derivation.outputs[0].name, "residual")
+    alone = derivation.mapped or (output.kind == "value" and not primary)
+    scalar = output.rows == 1 and alone
     rows = () if scalar else (output.rows,)
     jacobian = output.kind == "jacobian"
     shape = (*rows, output.columns) if jacobian else rows
