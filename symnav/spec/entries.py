@@ -205,18 +205,22 @@ def residual_name(table: EntryTable) -> str | None:
     return MEASURED if table.residual else None
 
 
+def try_out(draft: Draft, scope: Scope, problems: Problems) -> Results | None:
+    """Evaluate the equation once, so that what it refuses is reported where it stands."""
+    if draft.outcome is not None:
+        return draft.outcome
+    try:
+        return evaluate(draft.model, draft.bindings, draft.options, draft.frames, scope)
+    except EquationError as error:
+        problems.add(draft.row.path, str(error))
+        return None
+
+
 def measured_input(
-    draft: Draft, declared: Row | None, scope: Scope, frames: Frames
+    draft: Draft, outcome: Results, declared: Row | None, frames: Frames
 ) -> Input | None:
     """The input that the residual of an entry compares its value with."""
     path = f"{draft.row.path}.residual"
-    try:
-        outcome = draft.outcome or evaluate(
-            draft.model, draft.bindings, draft.options, draft.frames, scope
-        )
-    except EquationError as error:
-        frames.problems.add(draft.row.path, str(error))
-        return None
     value = next(iter(outcome.outputs.values()))
     name = residual_name(draft.table)
     assert name is not None
@@ -273,4 +277,4 @@ def ordered_scalars(chosen: Sequence[str]) -> tuple[str, ...]:
     return ("double", "float") if "float" in chosen else ("double",)
 
 
-__all__ = ["Draft", "check", "entry", "library_draft", "measured_input", "residual_name"]
+__all__ = ["Draft", "check", "entry", "library_draft", "measured_input", "residual_name", "try_out"]

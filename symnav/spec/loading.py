@@ -37,6 +37,7 @@ from symnav.spec.entries import (
     measured_input,
     ordered_scalars,
     residual_name,
+    try_out,
 )
 from symnav.spec.problems import Problems, choices, suggestion
 from symnav.spec.reading import Row, Tables, read
@@ -296,18 +297,19 @@ class _Stages:
     # -- the end ---------------------------------------------------------------------------------
 
     def _measure(self, drafts: list[Draft], scope: Scope) -> dict[str, Input]:
-        """Inputs of residuals; entries that share a name must agree on what it is."""
+        """Try every equation; give residuals their inputs, which must agree under one name."""
         found: dict[str, Input] = {}
         for draft in drafts:
+            outcome = try_out(draft, scope, self.problems)
             name = residual_name(draft.table)
-            if name is None:
+            if name is None or outcome is None:
                 continue
             path = f"{draft.row.path}.residual"
             reason = naming.fault(name, Use.INPUT)
             if reason is not None:
                 self.problems.add(path, reason)
                 continue
-            given = measured_input(draft, self.declared.get(name), scope, self.frames)
+            given = measured_input(draft, outcome, self.declared.get(name), self.frames)
             if given is None:
                 continue
             given = replace(given, block=replace(given.block, description="Measured value."))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NoReturn
 
@@ -19,12 +19,11 @@ from symnav.blocks import (
 from symnav.equations.bound import Bound, Results
 from symnav.equations.model import Model, OptionValue, Role
 from symnav.errors import EquationError
-from symnav.graph import Graph
+from symnav.graph import Definition, Graph
 from symnav.naming import Use
 from symnav.quantities import Quantity, let
 from symnav.spec.declarations import Frames, check_unit
 from symnav.spec.expressions import Evaluator, names, normal_form, parse
-from symnav.spec.problems import Problems
 from symnav.spec.records import Binding, ToInput, ToState
 from symnav.spec.schema import EntryTable
 from symnav.spec.trial import Quantities, Scope, results
@@ -140,45 +139,88 @@ class Made:
 
 def make(table: EntryTable, section: str, path: str, scope: Scope, frames: Frames) -> Made | None:
     """Evaluate a user equation on trial and wrap it; its mistakes are recorded."""
-    problems = frames.problems
-    graph = Graph()
-    values = Quantities(scope, graph)
-    function = table.equation
-    assert function is not None
-    if callable(function):
-        outcome = _run_function(function, table, path, values, problems)
-        equation, canonical = "", tuple(f"{d.symbol} = {d.expression}" for d in graph.definitions)
-        call: Callable[[Any], Any] = function
-    else:
-        text = _text_equation(table, function, path, scope, frames)
-        if text is None:
-            return None
-        outcome = _run_text(text, graph, values, path, problems)
-        equation, call = text.describe(), text
-        canonical = tuple(equation.split("\n"))
-    if outcome is None:
+    values = Quantities(scope, Graph())
+    written = _from_function if callable(table.equation) else _from_text
+    evaluated = written(table, path, values, frames)
+    if evaluated is None:
         return None
     if not values.read:
-        problems.add(f"{path}.equation", "reads neither a state block nor an input")
+        frames.problems.add(f"{path}.equation", "reads neither a state block nor an input")
         return None
-    if callable(function):
-        canonical += tuple(
-            f"{name} = {list(found.elements)} {found.unit} {found.frame or ''}".rstrip()
-            for name, found in outcome.outputs.items()
-        )
-        equation = "\n".join(canonical)
-    model = _model(table, section, scope, tuple(values.read), equation, call)
-    first = next(iter(outcome.outputs.values()))
+    model = _model(table, section, scope, tuple(values.read), evaluated)
+    first = next(iter(evaluated.outcome.outputs.values()))
     if model.mapped and first.size != 1:
-        problems.add(
+        frames.problems.add(
             f"{path}.equation",
             f"gives {first.describe()} per item; an equation over items gives one scalar",
         )
     bindings: dict[str, Binding] = {
         name: ToState(name) if name in scope.states else ToInput(name) for name in values.read
     }
-    named = {frame for role in model.roles for frame in _frames_of(role)}
-    return Made(model, bindings, {name: name for name in sorted(named)}, outcome, canonical)
+    named = sorted({frame for role in model.roles for frame in _frames_of(role)})
+    lines = tuple(evaluated.lines)
+    return Made(model, bindings, {name: name for name in named}, evaluated.outcome, lines)
+
+
+@dataclass(frozen=True)
+class _Evaluated:
+    """A user equation after its trial: how to call it, what it gives, and what it says."""
+
+    call: Callable[[Any], Any]
+    outcome: Results
+    lines: Sequence[str]
+
+
+def _from_text(
+    table: EntryTable, path: str, values: Quantities, frames: Frames
+) -> _Evaluated | None:
+    assert isinstance(table.equation, tuple)
+    text = _text_equation(table, table.equation, path, values.scope, frames)
+    if text is None:
+        return None
+
+    def report(key: str, error: EquationError) -> None:
+        frames.problems.add(f"{path}.{key}", str(error))
+
+    result = text.run(values.graph, values, report)
+    if result is None:
+        return None
+    return _Evaluated(text, Results({"value": result}), text.describe().split("\n"))
+
+
+def _from_function(
+    table: EntryTable, path: str, values: Quantities, frames: Frames
+) -> _Evaluated | None:
+    function, problems = table.equation, frames.problems
+    assert callable(function)
+    if table.let:
+        problems.add(f"{path}.let", "goes with expressions; a Python function names its own terms")
+    try:
+        outcome = results(function(Bound(values.graph, {}, values, {}, {})))
+    except EquationError as error:
+        problems.add(f"{path}.equation", str(error))
+        return None
+    first = next(iter(outcome.outputs.values()))
+    if table.unit is not None:
+        unit = check_unit(table.unit, f"{path}.unit", problems)
+        if units.parse(unit) != first.unit:
+            problems.add(f"{path}.unit", f"the result is {first.describe()}, not {table.unit}")
+    if table.frame is not None and table.frame != first.frame:
+        problems.add(
+            f"{path}.frame", f"the result is {first.describe()}, not in frame {table.frame!r}"
+        )
+    lines = [_line(definition) for definition in values.graph.definitions]
+    for name, found in outcome.outputs.items():
+        where = f" in {found.frame}" if found.frame else ""
+        lines.append(f"{name} = {list(found.elements)} {found.unit}{where}")
+    return _Evaluated(function, outcome, lines)
+
+
+def _line(definition: Definition) -> str:
+    """One definition, with the domain that its guard allows."""
+    guard = definition.guard
+    domain = f" within [{guard.lower!r}, {guard.upper!r}]" if guard is not None else ""
+    return f"{definition.symbol} = {definition.expression}{domain}"
 
 
 def _text_equation(
@@ -218,59 +260,24 @@ def _text_equation(
     )
 
 
-def _run_text(
-    text: TextEquation, graph: Graph, values: Quantities, path: str, problems: Problems
-) -> Results | None:
-    def report(key: str, error: EquationError) -> None:
-        problems.add(f"{path}.{key}", str(error))
-
-    result = text.run(graph, values, report)
-    return None if result is None else Results({"value": result})
-
-
-def _run_function(
-    function: Callable[[Any], Any],
-    table: EntryTable,
-    path: str,
-    values: Quantities,
-    problems: Problems,
-) -> Results | None:
-    if table.let:
-        problems.add(f"{path}.let", "goes with expressions; a Python function names its own terms")
-    try:
-        outcome = results(function(Bound(values.graph, {}, values, {}, {})))
-        first = next(iter(outcome.outputs.values()))
-        if table.unit is not None and units.parse(table.unit) != first.unit:
-            problems.add(f"{path}.unit", f"the result is {first.describe()}, not {table.unit}")
-        if table.frame is not None and table.frame != first.frame:
-            problems.add(
-                f"{path}.frame", f"the result is {first.describe()}, not in frame {table.frame!r}"
-            )
-    except EquationError as error:
-        problems.add(f"{path}.equation", str(error))
-        return None
-    return outcome
-
-
 def _model(
     table: EntryTable,
     section: str,
     scope: Scope,
     read: tuple[str, ...],
-    equation: str,
-    function: Callable[[Any], Any],
+    evaluated: _Evaluated,
 ) -> Model:
     return Model(
         name="equation",
         section=section,
         title=table.description or "Equation of the specification",
-        equation=equation,
+        equation="\n".join(evaluated.lines),
         source="the specification",
         roles=tuple(_role(scope.block(name), scope.is_item(name)) for name in read),
         options=(),
         mapped=any(scope.is_item(name) for name in read),
         always_double=False,
-        function=function,
+        function=evaluated.call,
         conventions=_no_conventions,
     )
 

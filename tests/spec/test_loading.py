@@ -276,3 +276,13 @@ def test_unreadable_files_say_so(tmp_path: Path) -> None:
         load(binary)
     with pytest.raises(SpecError, match="not TOML: nested too deeply"):
         loads("a = " + "[" * 100_000)
+
+
+def test_what_an_equation_refuses_is_reported_where_it_stands() -> None:
+    wide = [{"name": "delta_theta", "range": [-3, 3]}]
+    imu = {"name": "imu", "model": "specific_force", "rotation": "exact"}
+    with pytest.raises(SpecError) as caught:
+        spec(correction=[imu], input=wide)
+    (problem,) = caught.value.problems
+    assert problem.path == "correction[0]"
+    assert "declare a range whose norm stays below pi" in problem.message
