@@ -286,3 +286,33 @@ def test_what_an_equation_refuses_is_reported_where_it_stands() -> None:
     (problem,) = caught.value.problems
     assert problem.path == "correction[0]"
     assert "declare a range whose norm stays below pi" in problem.message
+
+
+def numbers(built: Spec, at: dict[str, float]) -> dict[str, dict[tuple[int, int], float]]:
+    """Outputs of the only entry at one state, by substitution."""
+    derivation = derive(built, built.entries[0], frozenset())
+    known: dict[Any, Any] = {symbol: at[symbol.name] for symbol in derivation.origins}
+    for definition in derivation.definitions:
+        known[definition.symbol] = definition.expression.subs(known)
+    return {
+        output.name: {place: float(e.subs(known)) for place, e in output.entries.items()}
+        for output in derivation.outputs
+    }
+
+
+@pytest.mark.parametrize("maps", ["b -> n", "n -> b"])
+@pytest.mark.parametrize("error", ["right", "left_negative", "storage"])
+def test_a_written_equation_equals_the_library(maps: str, error: str) -> None:
+    attitude = {**ATTITUDE, "maps": maps, "error": error}
+    states = (POSITION, attitude, ANTENNA)
+    library = {**GPS, "attitude": "attitude", "lever_arm": "antenna"}
+    terms = {"arm": "rotate(attitude, antenna)"}
+    own = {"name": "gps", "equation": ["arm + position"], "let": terms, "unit": "m", "frame": "n"}
+    labels = [f"{n}_{axis}" for n in ("position", "antenna") for axis in "xyz"]
+    at = {label: 0.7 * k - 1.3 for k, label in enumerate(labels)}
+    at |= {"attitude_w": 0.5, "attitude_x": -0.1, "attitude_y": 0.7, "attitude_z": 0.5}
+    expected, found = (numbers(spec(*states, measurement=[e]), at) for e in (library, own))
+    for name in ("value", "jacobian"):
+        assert set(expected[name]) == set(found[name])
+        for place, value in expected[name].items():
+            assert found[name][place] == pytest.approx(value, rel=1e-12, abs=1e-12)
