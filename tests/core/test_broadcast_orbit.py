@@ -106,5 +106,5 @@ def test_newton_steps_suffice() -> None:
     for mean in range(-3, 4):
         point = draw(spec, **{**ELEMENTS, "eccentricity": (0.1,), "mean_anomaly": (mean,)})
         expected = Judge(spec, point).outputs()["clock"][0]
-        actual = Interpreter(function).run(point).outputs["clock"][(0,)]
+        actual = Interpreter(function).run(point).outputs["clock"][()]
         assert abs(actual - expected) < mp.mpf("1e-18")
