@@ -9,8 +9,8 @@ import pytest
 from symnav import ir
 from symnav.emit.numpy.expressions import Scope, text_of
 from symnav.emit.numpy.kernel import kernel_of
-from tests.emit_numpy import modules
-from tests.emit_numpy.modules import add, call, mul, number, ref, sub
+from tests.emit_numpy import modules, records
+from tests.emit_numpy.records import add, call, mul, number, ref, sub
 
 Op = ir.Operation
 A, B, C = (ir.Load("x", index) for index in range(3))
@@ -78,14 +78,14 @@ def test_python_groups_as_the_tree_does() -> None:
 
 def test_locals_never_clash() -> None:
     """Keywords, names of the kernel itself and equal names of different things are told apart."""
-    arm = modules.argument(modules.domain("lambda", 3, (-1.0, 1.0)))
+    arm = records.argument(records.domain("lambda", 3, (-1.0, 1.0)))
     steps = [
         ir.Statement(name, add(ir.Load("lambda", 0), number(1.0)))
         for name in ("xp", "guards", "position_x", "class", "lambda_x", "2nd")
     ]
     entries = [((i,), add(ref(step.target), modules.x(0))) for i, step in enumerate(steps)]
-    function = modules.function(
-        "odd", (modules.X, arm), (modules.output("value", (6,), entries),), shared=steps
+    function = records.function(
+        "odd", (modules.X, arm), (records.output("value", (6,), entries),), shared=steps
     )
     body = "\n".join(kernel_of(function).body)
     targets = [line.split(" = ")[0].strip() for line in body.splitlines() if " = " in line]

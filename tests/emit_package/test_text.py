@@ -12,7 +12,7 @@ from symnav.emit.python import text
 from symnav.emit.python.documentation import documentation
 from symnav.emit.python.interface import interface
 from symnav.emit.python.names import result_names
-from tests.emit_numpy import modules
+from tests.emit_numpy import modules, records
 
 
 @pytest.mark.parametrize(
@@ -140,12 +140,12 @@ def test_result_types_never_share_a_name() -> None:
 def test_two_moving_indices_are_refused() -> None:
     """An element may depend on one run-time index."""
     slot = ir.Load("slot", 0)
-    own = modules.argument(modules.domain("slot", 1, (0.0, 2.0), kind=ir.Kind.INTEGER))
-    twice = modules.output(
-        "value", (3, 3), [((ir.Offset(0, slot), ir.Offset(0, slot)), modules.number(1.0))]
+    own = records.argument(records.domain("slot", 1, (0.0, 2.0), kind=ir.Kind.INTEGER))
+    twice = records.output(
+        "value", (3, 3), [((ir.Offset(0, slot), ir.Offset(0, slot)), records.number(1.0))]
     )
     with pytest.raises(errors.InputError, match="odd: an element of value is placed by two"):
-        interface(modules.module(modules.function("odd", (own,), (twice,))))
+        interface(modules.module(records.function("odd", (own,), (twice,))))
 
 
 def test_slots_reach_no_further_than_the_output() -> None:
