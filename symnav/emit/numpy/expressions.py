@@ -15,6 +15,7 @@ from enum import IntEnum
 from functools import singledispatch
 
 from symnav import ir
+from symnav.emit.python.text import literal
 
 Operation = ir.Operation
 
@@ -127,7 +128,7 @@ def number(value: float | bool) -> Text:
     """A literal that reads back exactly."""
     if isinstance(value, bool):
         return Text(repr(value), number=value)
-    text = repr(float(value)).replace("inf", "_inf")
+    text = literal(value).replace("math.inf", "_inf")
     return Text(text, Level.SIGN if text.startswith("-") else Level.ATOM, float(value))
 
 

@@ -13,7 +13,7 @@ from symnav.emit.python.shapes import (
     output_shape,
     values,
 )
-from symnav.emit.python.text import WIDTH, finite
+from symnav.emit.python.text import WIDTH, shown
 
 _INDENT = "    "
 
@@ -156,7 +156,7 @@ def _range(domain: ir.Domain) -> str:
     if domain.kind is ir.Kind.MATRIX:
         return "orthonormal, row by row"
     pairs = list(dict.fromkeys(zip(domain.lower, domain.upper, strict=True)))
-    return "range " + ", ".join(f"[{finite(low)}, {finite(high)}]" for low, high in pairs)
+    return "range " + ", ".join(f"[{shown(low)}, {shown(high)}]" for low, high in pairs)
 
 
 def _fill(text: str, indent: str) -> list[str]:

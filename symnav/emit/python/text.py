@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 import textwrap
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -11,6 +12,7 @@ from decimal import Decimal
 
 WIDTH = 100
 _INDENT = "    "
+_GLUE = "\N{NO-BREAK SPACE}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,11 +121,21 @@ def assignment(target: str, expression: str, *, depth: int = 1, remark: str = ""
 
 
 def wrapped(expression: str, depth: int, after: str = "") -> list[str]:
-    """An expression inside brackets, broken before operators and after commas."""
-    glued = expression + after
-    for symbol in "+-*/":
-        glued = glued.replace(f" {symbol} ", f" {symbol}\N{NO-BREAK SPACE}")
-    return [line.replace("\N{NO-BREAK SPACE}", " ") for line in _filled(glued, depth)]
+    """An expression inside brackets, broken before plus and minus, elsewhere only if it must."""
+    room = WIDTH - len(_INDENT) * depth
+    sums = _glued(expression + after, "+-")
+    for symbol in "*/":
+        sums = sums.replace(f" {symbol} ", f"{_GLUE}{symbol}{_GLUE}")
+    fits = max(map(len, sums.split(" "))) <= room
+    lines = _filled(sums if fits else _glued(expression + after, "+-*/"), depth)
+    return [line.replace(_GLUE, " ") for line in lines]
+
+
+def _glued(expression: str, symbols: str) -> str:
+    """An expression whose operators stay with what follows them."""
+    for symbol in symbols:
+        expression = expression.replace(f" {symbol} ", f" {symbol}{_GLUE}")
+    return expression
 
 
 def _filled(text: str, depth: int) -> list[str]:
@@ -138,8 +150,6 @@ def _filled(text: str, depth: int) -> list[str]:
     )
 
 
-def finite(value: float) -> str:
-    """A bound in words."""
-    if math.isinf(value):
-        return "-inf" if value < 0.0 else "inf"
-    return f"{value:g}"
+def shown(value: float) -> str:
+    """A bound as documentation shows it."""
+    return re.sub(r"e\+?(-?)0*", r"e\1", f"{value:g}")
