@@ -315,7 +315,7 @@ MODELS = (
             _rate("angular_rate_end", "rad/s", 20.0, "Angular rate at the end."),
             _rate("specific_force_start", "m/s^2", 500.0, "Specific force at the start."),
             _rate("specific_force_end", "m/s^2", 500.0, "Specific force at the end."),
-            scalar("dt", "s", 1e-5, 0.1, "Length of the interval.", optional=True, positive=True),
+            scalar("dt", "s", 1e-5, 0.05, "Length of the interval.", optional=True, positive=True),
             vector("accelerometer_bias", "m/s^2", "body", 10.0, "Accelerometer bias.",
                    optional=True),
             vector("gyro_bias", "rad/s", "body", 0.2, "Gyroscope bias.", optional=True),

@@ -20,7 +20,7 @@ from symnav.derive import Derivation
 from symnav.graph import Definition
 from symnav.ir import Call, Expression, Load, Number, Operation, Ref
 from symnav.lower import signature
-from symnav.lower.bridge import to_casadi
+from symnav.lower.casadi_bridge import to_casadi
 from symnav.spec.records import Spec
 
 _BINARY = {

@@ -14,7 +14,7 @@ import sympy as sp
 from symnav.binding import STATE, Origin, Source
 from symnav.derive import Derivation, derive_retract
 from symnav.graph import Definition, Graph
-from symnav.lower.bridge import to_casadi
+from symnav.lower.casadi_bridge import to_casadi
 from symnav.spec.records import Spec
 
 Table = dict[sp.Symbol, ca.SX]

@@ -15,7 +15,7 @@ from symnav import ir
 from symnav.binding import Origin
 from symnav.derive import Derivation, DerivedOutput, Equation
 from symnav.graph import Definition, Guard
-from symnav.lower.bridge import to_casadi
+from symnav.lower.casadi_bridge import to_casadi
 from tests.core.interpreter import Interpreter, Result
 from tests.core.specs import ROUTES, layout, vector
 
