@@ -14,8 +14,9 @@ transpose
     ``m[i][j]`` becomes ``m[j][i]`` and ``m[3 * i + j]`` becomes ``m[3 * j + i]``.
 
 Only arithmetic counts. Left alone are signs inside subscripts and arguments of ``range`` (where an
-element stands, not what it is: their transposes are mutants of their own), sums of text and of
-lists, annotations, and augmented assignments, which in these files gather lists and counts.
+element stands, not what it is: their transposes are mutants of their own), sums of text, of
+lists and of sets, annotations, and augmented assignments, which in these files gather lists and
+counts.
 """
 
 from __future__ import annotations
@@ -199,14 +200,15 @@ def _binary(node: ast.AST) -> Change:
 
 
 def _is_collection(node: ast.expr) -> bool:
-    """Text and lists, whose sum is no arithmetic."""
+    """Text, lists and sets, whose sum or difference is no arithmetic."""
     if isinstance(node, ast.BinOp):
         return _is_collection(node.left) or _is_collection(node.right)
     if isinstance(node, ast.Constant):
         return isinstance(node.value, str)
     if isinstance(node, ast.Call):
-        return _name(node.func) in ("list", "tuple")
-    return isinstance(node, (ast.JoinedStr, ast.List, ast.ListComp, ast.Tuple))
+        return _name(node.func) in ("list", "tuple", "set", "frozenset")
+    collections = (ast.JoinedStr, ast.List, ast.ListComp, ast.Tuple, ast.Set, ast.SetComp)
+    return isinstance(node, collections)
 
 
 def _unary(node: ast.AST) -> Change:

@@ -9,6 +9,7 @@ mutant; ``--resume`` goes on where it stands and repeats what has changed since.
 from __future__ import annotations
 
 import argparse
+import ast
 import json
 import os
 import random
@@ -112,8 +113,6 @@ class Run:
 
 def run_everything(root: Path, mutant: Mutant) -> str | None:
     """Every test that could notice, on a copy of the project that holds the mutant as text."""
-    import ast
-
     with copy_of(root) as folder:
         path = folder / mutant.file
         tree = mutated(path.read_text(encoding="utf-8"), mutant)
@@ -213,7 +212,8 @@ def main() -> int:
         chosen = sample(everything, given.sample, given.seed)
         chosen = [m for m in chosen if given.file is None or given.file in m.file]
         if given.resume:
-            chosen = [m for m in chosen if not table.is_fresh(m, rows)]
+            thorough = not given.quick
+            chosen = [m for m in chosen if not table.is_settled(m, rows, thorough=thorough)]
 
         def report(result: table.Row) -> None:
             rows[result.id] = result

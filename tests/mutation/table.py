@@ -88,6 +88,14 @@ def is_fresh(mutant: Mutant, rows: Mapping[str, Row]) -> bool:
     return entry is not None and (entry.digest, entry.change) == (mutant.digest, mutant.change)
 
 
+def is_settled(mutant: Mutant, rows: Mapping[str, Row], *, thorough: bool) -> bool:
+    """True when nothing new can come out: killed, or survived all that would be run."""
+    if not is_fresh(mutant, rows):
+        return False
+    entry = rows[mutant.id]
+    return entry.verdict == "killed" or entry.stage == "full" or not thorough
+
+
 def is_reviewed(mutant: Mutant, reviewed: Mapping[str, Review]) -> bool:
     """True when the survivor has a reason, and the reason is about this change."""
     review = reviewed.get(mutant.id)
