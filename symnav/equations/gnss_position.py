@@ -46,7 +46,7 @@ def gnss_position_to_state_frame(q: Bound) -> Results:
         fix = fix - origin
     covariances = {}
     if q.has("covariance"):
-        covariances["covariance"] = Covariance("receiver_position", q.vector("covariance"))
+        covariances["value_covariance"] = Covariance("receiver_position", q.vector("covariance"))
     return Results({"value": fix}, covariances=covariances)
 
 
@@ -109,7 +109,7 @@ def local_from_geodetic(q: Bound) -> Results:
         local = rotate(heading, let("level_position", local), "local")
     covariances = {}
     if q.has("covariance"):
-        covariances["covariance"] = Covariance("fix", q.vector("covariance"))
+        covariances["value_covariance"] = Covariance("fix", q.vector("covariance"))
     return Results({"value": local}, covariances=covariances)
 
 

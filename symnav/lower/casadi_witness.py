@@ -40,8 +40,7 @@ def function(spec: Spec, derivation: Derivation, name: str) -> ca.Function:
     held = {d.symbol: plain.table[d.symbol] for d in derivation.equation.definitions if d.frozen}
     outputs = [_output(spec, derivation, o.name, inputs, plain, held) for o in derivation.outputs]
     results = [ca.densify(e) for e in outputs]
-    names = [o.name for o in derivation.outputs]
-    return ca.Function(name, list(inputs.values()), results, list(inputs), names)
+    return ca.Function(name, list(inputs.values()), results)
 
 
 class _Evaluated:

@@ -211,7 +211,7 @@ def _description(output: DerivedOutput) -> str:
     return {
         "value": "Value of the equation.",
         "residual": "Measured less predicted value.",
-        "covariance": "Covariance of the value, row-major.",
+        "value_covariance": "Covariance of the value, row-major.",
     }.get(output.name, f"{output.name.replace('_', ' ').capitalize()}.")
 
 

@@ -51,7 +51,7 @@ class ManyDigits:
         return yes() if condition else no()
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Graded:
     """A batch of doubles and the gradient of each by every input: (S,) and (S, n)."""
 
@@ -89,6 +89,14 @@ class Graded:
 
     def __ge__(self, other: Graded | float) -> Any:
         return self.value >= _value(other)
+
+    def __eq__(self, other: object) -> Any:
+        return np.equal(self.value, _value(other))
+
+    def __ne__(self, other: object) -> Any:
+        return np.not_equal(self.value, _value(other))
+
+    __hash__ = None  # type: ignore[assignment]  # compared by value, element by element
 
     def chain(self, value: Array, derivative: Array) -> Graded:
         """A function of this number, by its value and derivative."""
@@ -146,5 +154,5 @@ def _graded(number: Graded | float, like: Graded) -> Graded:
     return Graded(np.full_like(like.value, number), np.zeros_like(like.slope))
 
 
-def _value(number: Graded | float) -> Any:
+def _value(number: object) -> Any:
     return number.value if isinstance(number, Graded) else number

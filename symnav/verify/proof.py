@@ -29,6 +29,8 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.intp]
 #: Fifty-digit evaluations per function; they cost milliseconds each.
 EXACT_SAMPLES = 24
+#: What references call the outputs that have another name here.
+_REFERENCE_NAMES = {"value_covariance": "covariance", "jacobian_fix": "noise_map"}
 BACKENDS = ("native", "numpy", "casadi")
 Reference = Callable[[str, Mapping[str, Any], Mapping[str, Any]], Mapping[str, Sequence[Any]]]
 
@@ -227,7 +229,7 @@ def _evaluate(function: Any, samples: Samples, derivation: Derivation) -> _Evalu
     result = function(
         **{
             name: a[..., 0] if name != STATE and a.shape[-1] == 1 else a
-            for name, a in samples.arguments.items()
+            for name, a in samples.typed().items()
         }
     )
     outputs = {
@@ -318,12 +320,12 @@ def _compare_reference(
         for row in few:
             chosen = np.array([row])
             numbers = {n: [mp.mpf(float(v)) for v in a[row]] for n, a in flat.items()}
-            truth = reference(
-                entry.model.name, quantities(proof.spec, entry, numbers), entry.options
-            )
+            options = {**entry.options, "axes_frame": entry.frames.get("level", "")}
+            truth = reference(entry.model.name, quantities(proof.spec, entry, numbers), options)
             for output in derivation.outputs:
-                if output.name in truth:
-                    error = _differences(result.get(output, chosen), truth[output.name])
+                name = _REFERENCE_NAMES.get(output.name, output.name)
+                if name in truth:
+                    error = _differences(result.get(output, chosen), truth[name])
                     scale = scales[output.name].at(np.array([place[int(row)]]))
                     proof.compare(
                         output, "numpy vs reference", error, np.zeros_like(error), scale, chosen

@@ -67,6 +67,22 @@ def quantities(spec: Spec, entry: Entry, numbers: Mapping[str, Sequence[Any]]) -
         entry: its bindings.
         numbers: stored elements by argument, one item's.
     """
+    earth = {frame.name: "ecef" for frame in spec.frames if frame.axes == "ecef"}
+    bound = _bound(spec, entry, numbers)
+    return {role: _with_frames(quantity, earth) for role, quantity in bound.items()}
+
+
+def _with_frames(quantity: Mapping[str, Any], names: Mapping[str, str]) -> dict[str, Any]:
+    """The quantity with the user's name of the earth-fixed frame replaced by ``ecef``."""
+    renamed = dict(quantity)
+    if renamed.get("frame"):
+        renamed["frame"] = names.get(renamed["frame"], renamed["frame"])
+    if "maps" in renamed:
+        renamed["maps"] = tuple(names.get(end, end) for end in renamed["maps"])
+    return renamed
+
+
+def _bound(spec: Spec, entry: Entry, numbers: Mapping[str, Sequence[Any]]) -> dict[str, Any]:
     result: dict[str, Any] = {}
     for role, binding in entry.bindings.items():
         if isinstance(binding, ToState):

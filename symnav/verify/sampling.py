@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,10 +33,19 @@ class Samples:
     Attributes:
         arguments: (S, size), or (S, n, size) for item arguments.
         items: n, or None when the function is not mapped.
+        integers: arguments that are system codes or slots.
     """
 
     arguments: Mapping[str, Array]
     items: int | None
+    integers: frozenset[str] = frozenset()
+
+    def typed(self) -> dict[str, NDArray[Any]]:
+        """Arguments as the generated functions want them: selectors and slots as integers."""
+        return {
+            name: a.astype(np.int32) if name in self.integers else a
+            for name, a in self.arguments.items()
+        }
 
     @property
     def count(self) -> int:
@@ -77,8 +87,9 @@ def draw(spec: Spec, derivation: Derivation, count: int, seed: int, items: int =
             block = spec.inputs[name].block
             arguments[name] = np.stack([_one(block, rng, k) for k in range(count)])
     _make_physical(spec, derivation, arguments)
-    _integers(spec, arguments)
-    return Samples(arguments, items if mapped else None)
+    integers = {name for name in arguments if name in spec.inputs and spec.inputs[name].integer}
+    arguments |= {name: np.round(arguments[name]) for name in integers}
+    return Samples(arguments, items if mapped else None, frozenset(integers))
 
 
 def _state(blocks: Sequence[Block], rng: Rng, k: int) -> Array:
@@ -181,12 +192,6 @@ def _overhead(arguments: dict[str, Array], satellite: str, place: slice) -> None
     up = np.array([0.0, 0.0, 1.0])
     direction = np.where(length > 1.0, position / np.maximum(length, 1.0), up)
     arguments[satellite][::4, 0, :] = 2.66e7 * direction
-
-
-def _integers(spec: Spec, arguments: dict[str, Array]) -> None:
-    for name, array in arguments.items():
-        if name in spec.inputs and spec.inputs[name].integer:
-            arguments[name] = np.round(array)
 
 
 def _bounds(block: Block) -> tuple[Array, Array]:
