@@ -121,9 +121,10 @@ def emit(spec: Spec, derived: Derived) -> dict[str, str]:
     numpy_functions = [sympy.lower(spec, derivation) for derivation in everything]
     double = module(spec, c_functions)
     vectorised = module(spec, numpy_functions)
-    text = {**c.emit(double), **numpy.emit(vectorised), **python.emit(double)}
-    if "float" in spec.scalars:
-        text |= c.emit(module(spec, c_functions, ir.Scalar.FLOAT))
+    single = module(spec, c_functions, ir.Scalar.FLOAT) if "float" in spec.scalars else None
+    text = {**c.emit(double), **numpy.emit(vectorised), **python.emit(double, single)}
+    if single is not None:
+        text |= c.emit(single)
     return text | casadi_witness.sources(spec, everything)
 
 

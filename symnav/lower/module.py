@@ -24,8 +24,8 @@ def module(
     chosen = tuple(functions)
     if scalar is ir.Scalar.FLOAT:
         name = f"{spec.name}_f32"
-        double = {entry.name for entry in spec.entries if entry.model.always_double}
-        chosen = tuple(f for f in functions if f.name not in double)
+        only_double = {e.name for e in spec.entries if scalar.value not in e.scalars}
+        chosen = tuple(f for f in functions if f.name not in only_double)
     return ir.Module(
         name, scalar, signature.state(spec), chosen, digest(spec), f"symnav {__version__}"
     )
