@@ -171,7 +171,9 @@ MODELS = (
         equation="E - e sin E = M;  r, u, i with harmonic corrections;  R_z(Omega) R_x(i)",
         source="IS-GPS-200, table 20-IV and 20.3.3.3.3.1; Galileo OS SIS ICD 5.1",
         roles=(
-            _field("time", "s", -WEEK / 2, 1.5 * WEEK, "Time of week."),
+            _field(
+                "time", "s", -3600.0, WEEK + 3600.0, "Time of week; may pass its ends by an hour."
+            ),
             _field("toe", "s", 0.0, WEEK, "Reference time of the ephemeris."),
             _field("toc", "s", 0.0, WEEK, "Reference time of the clock."),
             _field("sqrt_a", "m^1/2", 4000.0, 7000.0, "Square root of the semi-major axis."),
