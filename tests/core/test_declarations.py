@@ -56,7 +56,7 @@ def test_symmetric_ranges_and_angles() -> None:
                 assert role.lower == -role.upper, role.name
     elements = {role.name: role for role in library()["broadcast_orbit"].roles}
     assert elements["mean_anomaly"].lower == -elements["mean_anomaly"].upper == -3.2
-    assert (elements["time"].lower, elements["time"].upper) == (-604_800.0, 1_209_600.0)
+    assert elements["time"].lower < 0 and elements["time"].upper > elements["toe"].upper
 
 
 def test_samples_scale_the_size() -> None:
