@@ -140,13 +140,16 @@ class StateVector(Vector):
         ]
         return tuple.__new__(self._record, parts)
 
-    def retract(self, x: Any, d: Any) -> Array:
-        """The state that lies the error ``d``, shape (..., error_size), away from ``x``."""
-        return self._retract(x, d=d)
+    def retract(self, x: Any, d: Any, **inputs: Any) -> Array:
+        """The state that lies the error ``d``, shape (..., error_size), away from ``x``.
 
-    def local(self, x: Any, y: Any) -> Array:
+        The inputs are those that an error in other axes than its block's asks for, if any.
+        """
+        return self._retract(x, d=d, **inputs)
+
+    def local(self, x: Any, y: Any, **inputs: Any) -> Array:
         """The error, shape (..., error_size), that leads from the state ``x`` to ``y``."""
-        return self._local(x, y=y)
+        return self._local(x, y=y, **inputs)
 
     def _length(self, name: str) -> int:
         part = self.slices[name]

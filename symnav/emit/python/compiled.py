@@ -37,11 +37,12 @@ class Door:
 def native(module: ir.Module) -> str:
     """Render ``native.py``, or ``native_f32.py`` for a module in single precision."""
     results = result_names(module.functions)
+    kind = "" if module.scalar is ir.Scalar.DOUBLE else ", _real"
     doors = [
         Door(
             function.name,
             signature_name(function),
-            () if function.column_major else tuple(_door(function, results[function.name])),
+            () if function.column_major else tuple(_door(function, results[function.name], kind)),
         )
         for function in module.functions
     ]
@@ -62,8 +63,12 @@ def casadi(module: ir.Module) -> str:
     return render("package/casadi.py.j2", name=module.name, functions=functions)
 
 
-def _door(function: ir.Function, result: str) -> Iterator[str]:
-    """A function that goes straight to the C when its arguments are as the C wants them."""
+def _door(function: ir.Function, result: str, kind: str) -> Iterator[str]:
+    """A function that goes straight to the C when its arguments are as the C wants them.
+
+    What has the type and the shape of an array but no contiguous memory raises one of the errors
+    that lead the general way.
+    """
     names = [argument.name for argument in function.arguments]
     first = ["x: Any = None", "/"] if names[:1] == ["x"] else []
     inputs = [f"{name}: Any = None" for name in names if name != "x"]
@@ -76,7 +81,7 @@ def _door(function: ir.Function, result: str) -> Iterator[str]:
     yield from (f"            and {test}" for test in _tests(function))
     yield "        ):"
     for output in function.outputs:
-        yield f"            {output.name} = _empty({_shape(function, output)}, _real)"
+        yield f"            {output.name} = _empty({_shape(function, output)}{kind})"
     if function.maximum is not None:
         yield "            item_status = _empty(n, _byte)"
     entry = call(f"_{function.name}_entry", *_pointers(function))
@@ -96,15 +101,12 @@ def _tests(function: ir.Function) -> Iterator[str]:
     """Conditions under which the C can read every argument where it lies."""
     items = [argument for argument in function.arguments if argument.item]
     if items:
-        yield f"type({items[0].name}) is _array"
         yield f"(n := len({items[0].name})) <= {function.maximum}"
     for argument in function.arguments:
         if is_scalar(function, argument) and not argument.item:
             yield f"type({argument.name}) is {'int' if argument.integer else 'float'}"
             continue
         kind = "_integer" if argument.integer else "_real"
-        if argument not in items[:1]:
-            yield f"type({argument.name}) is _array"
         yield f"{argument.name}.dtype is {kind}"
         yield f"{argument.name}.shape == {_expected(function, argument)}"
 

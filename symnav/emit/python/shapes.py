@@ -9,17 +9,21 @@ from symnav import errors, ir
 
 def entries(module: ir.Module) -> tuple[ir.Function, ...]:
     """The measurements and corrections of a module, without the maps of the state."""
-    return tuple(function for function in module.functions if not is_vector_map(function))
+    return tuple(function for function in module.functions if not is_map(function))
 
 
-def is_vector_map(function: ir.Function) -> bool:
-    """True for the maps of the state, whose arguments keep their axis even for one element."""
+def is_map(function: ir.Function) -> bool:
+    """True for retract and local, the maps of the state."""
     return function.role in (ir.Role.RETRACT, ir.Role.LOCAL)
 
 
 def is_scalar(function: ir.Function, argument: ir.Argument) -> bool:
-    """True for an input of one element, which is passed without an axis of its own."""
-    return argument.size == 1 and argument.name != "x" and not is_vector_map(function)
+    """True for an input of one element, which is passed without an axis of its own.
+
+    States and errors are vectors even when they have one element.
+    """
+    vectors = ("x", "d", "y") if is_map(function) else ("x",)
+    return argument.size == 1 and argument.name not in vectors
 
 
 def argument_shape(function: ir.Function, argument: ir.Argument) -> str:

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from symnav import ir
 from symnav.emit.python.documentation import documentation
 from symnav.emit.python.names import form_name, result_names
-from symnav.emit.python.shapes import jacobians, values
+from symnav.emit.python.shapes import is_map, jacobians, values
 from symnav.emit.python.text import call, docstring, lay_out
 from symnav.emit.templates import render
 
@@ -114,5 +114,13 @@ def _state(module: ir.Module) -> Iterator[str]:
     pack = call("pack", "self", "*", *parameters)
     yield from lay_out(pack, before="def ", after=f" -> {_ARRAY}: ...", depth=1)
     yield "    def unpack(self, x: ArrayLike) -> StateBlocks: ..."
-    yield f"    def retract(self, x: ArrayLike, d: ArrayLike) -> {_ARRAY}: ..."
-    yield f"    def local(self, x: ArrayLike, y: ArrayLike) -> {_ARRAY}: ..."
+    for function in module.functions:
+        if is_map(function):
+            yield from _map(function)
+
+
+def _map(function: ir.Function) -> list[str]:
+    """Retract or local as methods of the state, both vectors by position."""
+    first, second, *inputs = (f"{argument.name}: ArrayLike" for argument in function.arguments)
+    head = call(function.name, "self", first, second, *(["*", *inputs] if inputs else []))
+    return lay_out(head, before="def ", after=f" -> {_ARRAY}: ...", depth=1)
