@@ -376,9 +376,9 @@ def _inverse_rows(spec: Spec, name: str, arguments: Mapping[str, Array], back: A
         worst.add(error, np.broadcast_to(scale, error.shape), np.arange(len(d)))
         rows.append(
             Row(
-                f"State ({name})",
+                "State",
                 place.block.name,
-                "retract then local",
+                f"{name} retract then local",
                 worst.relative,
                 worst.absolute,
                 worst.unit,
@@ -415,9 +415,9 @@ def _retract_rows(
                 worst.add(error, scale, np.array([k]))
             rows.append(
                 Row(
-                    "State (native)",
+                    "State",
                     place.block.name,
-                    "retract vs 50 digits",
+                    "native retract vs 50 digits",
                     worst.relative,
                     worst.absolute,
                     worst.unit,
