@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from rich.progress import Progress, TaskID
     from rich.table import Table
 
-PLAIN_WIDTH = 120
+PLAIN_WIDTH = 150
 """Columns of tables that do not go to a terminal."""
 
 

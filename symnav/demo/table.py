@@ -29,7 +29,8 @@ def summary_table(result: DemoResult) -> Table:
         ),
     )
     table.add_column("solution")
-    for heading in ("epochs", "satellites", "median 3-D [m]", "95 % 3-D [m]", "post-fit rms [m]"):
+    headings = ("epochs", "satellites", "median 3-D, m", "95 % 3-D, m", "post-fit rms, m")
+    for heading in headings:
         table.add_column(heading, justify="right")
     table.add_row(*_cells(result.full), style="bold", end_section=True)
     for variant in result.ablations:
