@@ -302,10 +302,9 @@ def retract() -> ir.Function:
     )
 
 
-def module(
-    *functions: ir.Function, name: str = "rover", scalar: ir.Scalar = ir.Scalar.DOUBLE
-) -> ir.Module:
-    """A module of some functions."""
+def module(*functions: ir.Function, scalar: ir.Scalar = ir.Scalar.DOUBLE) -> ir.Module:
+    """A module of some functions, called ``rover``; in single precision, ``rover_f32``."""
+    name = "rover" if scalar is ir.Scalar.DOUBLE else "rover_f32"
     return ir.Module(name, scalar, STATE, functions, "0123abcd" * 8, "symnav for tests")
 
 

@@ -53,6 +53,5 @@ class Target:
 
 
 def target_of(module: ir.Module) -> Target:
-    """The tree a module is emitted to; the float tree has a prefix of its own."""
-    suffix = "" if module.scalar is ir.Scalar.DOUBLE else "_f32"
-    return Target(module.name + suffix, module.scalar)
+    """The tree a module is emitted to; trees of two scalar types have names of their own."""
+    return Target(module.name, module.scalar)

@@ -6,7 +6,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 from symnav import ir
-from symnav.lower.passes.rewrite import references
+from symnav.lower.passes.walk import references
 
 
 def prune(function: ir.Function, outputs: Collection[str]) -> ir.Function:

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from symnav import ir
-from symnav.lower.passes.rewrite import nodes, per_item, references
+from symnav.lower.passes.walk import nodes, per_item, references
 
 _ONE = ir.Number(1.0)
 
