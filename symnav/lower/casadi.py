@@ -296,7 +296,7 @@ class _Program:
     def _needs(self, value: int, guard_of: Mapping[int, int]) -> list[int]:
         node = self.nodes[value]
         if node.operation != "OP_INPUT":
-            return list(node.operands)
+            return list(self._selection(value) or node.operands)
         check = guard_of.get(node.operands[0])
         return [] if check is None else [self.outputs[check]]
 
@@ -345,9 +345,10 @@ class _Program:
 
     def _expand(self, value: int, sources: Sequence[Expression]) -> Expression:
         node = self.nodes[value]
-        chosen = self._selection(value, sources)
+        chosen = self._selection(value)
         if chosen is not None:
-            return chosen
+            parts = tuple(self.reference(operand, sources) for operand in chosen)
+            return Call(Operation.SELECT, parts)
         a = [self._operand(v, node.operation, sources) for v in node.operands]
         if node.operation == "OP_SQ":
             return Call(Operation.MUL, (a[0], a[0]))
@@ -369,8 +370,8 @@ class _Program:
             return Call(Operation.SELECT, (expression, Number(1.0), Number(0.0)))
         return expression
 
-    def _selection(self, value: int, sources: Sequence[Expression]) -> Expression | None:
-        """CasADi writes a choice as (c ? a : 0) + (!c ? b : 0); read it as one selection."""
+    def _selection(self, value: int) -> tuple[int, int, int] | None:
+        """CasADi writes a choice as (c ? a : 0) + (!c ? b : 0): the values c, a and b of one."""
         node = self.nodes[value]
         if node.operation != "OP_ADD":
             return None
@@ -380,10 +381,7 @@ class _Program:
         opposite = self.nodes[right.operands[0]]
         if opposite.operation != "OP_NOT" or opposite.operands[0] != left.operands[0]:
             return None
-        operands = (left.operands[0], left.operands[1], right.operands[1])
-        return Call(
-            Operation.SELECT, tuple(self.reference(operand, sources) for operand in operands)
-        )
+        return left.operands[0], left.operands[1], right.operands[1]
 
 
 def _check(definition: Definition, value: Expression) -> ir.Check:
