@@ -52,7 +52,7 @@ class ComplexStep:
     def real(self, value: Any) -> Any:
         """The real part of an array of any type."""
         dtype = getattr(value, "dtype", None)
-        mixed = dtype is not None and self._xp.isdtype(dtype, "complex floating")
+        mixed = dtype is not None and _is_complex(self._xp, dtype)
         return self._xp.real(value) if mixed else value
 
     def less(self, left: Any, right: Any) -> Any:
@@ -92,6 +92,15 @@ class ComplexStep:
         y, x = self.real(sine), self.real(cosine)
         turn = (x * (sine - y) - y * (cosine - x)) / (x * x + y * y)
         return self._xp.atan2(y, x) + turn
+
+
+def _is_complex(xp: Any, dtype: Any) -> bool:
+    return bool(dtype.kind == "c" if xp is np else xp.isdtype(dtype, "complex floating"))
+
+
+def _is_float(xp: Any, dtype: Any) -> bool:
+    kinds = ("real floating", "complex floating")
+    return bool(dtype.kind in "fc" if xp is np else xp.isdtype(dtype, kinds))
 
 
 class Guards:
@@ -192,8 +201,7 @@ class ArrayFunction(Function):
         if xp is np:
             return [as_numbers(argument, value, self.real, True) for argument, value in pairs]
         arrays = [xp.asarray(value) for value in values]
-        kinds = ("real floating", "complex floating")
-        floats = [array.dtype for array in arrays if xp.isdtype(array.dtype, kinds)]
+        floats = [array.dtype for array in arrays if _is_float(xp, array.dtype)]
         real = xp.result_type(*floats) if floats else xp.asarray(0.0).dtype
         return [
             array if argument.integer or array.dtype in floats else xp.asarray(array, dtype=real)
@@ -231,25 +239,25 @@ class ArrayFunction(Function):
     ) -> Computed:
         """Runs the kernel and assembles its non-zeros."""
         guards, wide = self.guard(xp, arrays)
-        complex_ = any(xp.isdtype(array.dtype, "complex floating") for array in wide)
-        found = self._kernel(ComplexStep(xp) if complex_ else xp, guards, *wide)
+        stepped = _is_complex(xp, guards.real)
+        found = self._kernel(ComplexStep(xp) if stepped else xp, guards, *wide)
         named = dict(zip(self.signature.names, wide, strict=True))
-        dtype = xp.result_type(*(array.dtype for array in wide))
         assemble = _fill if xp is np else _stack
+        wanted = outputs_of(self.signature, part)
         outputs = []
-        for output in outputs_of(self.signature, part):
-            values = found[self.signature.outputs.index(output)]
+        for output, values in zip(self.signature.outputs, found, strict=True):
+            if output not in wanted:
+                continue
             places = range(len(values)) if part is Part.NONZEROS else output.places
             size = len(values) if part is Part.NONZEROS else output.size
             lead = (*extent.batch, *self._items(output, extent))
-            flat = assemble(xp, values, places, named, (*lead, size), dtype)
+            flat = assemble(xp, values, places, named, (*lead, size), guards.real)
             outputs.append(xp.reshape(flat, output_shape(output, part, extent)))
         return self.computed(xp, outputs, guards, extent)
 
     def guard(self, xp: ModuleType, arrays: Sequence[Array]) -> tuple[Guards, list[Array]]:
         """Makes all arguments real, lines shared ones up with items and checks every one."""
-        kinds = ("real floating", "complex floating")
-        floats = [array.dtype for array in arrays if xp.isdtype(array.dtype, kinds)]
+        floats = [array.dtype for array in arrays if _is_float(xp, array.dtype)]
         guards = Guards(xp, xp.result_type(*floats) if floats else xp.asarray(0.0).dtype)
         wide = []
         for argument, given in zip(self.signature.arguments, arrays, strict=True):
@@ -290,6 +298,7 @@ class ArrayFunction(Function):
         status, bad_items = shared, None
         if item is not None:
             status = xp.where(shared != 0, shared, self._of_items(xp, item))
+            item = xp.where(shared[..., None] != 0, xp.zeros_like(item), item)
             bad_items = item != 0
             if reference is not None:
                 bad_items = _without(xp, bad_items, reference, -1)

@@ -23,13 +23,7 @@ class ForeignFunction(ArrayFunction):
         self._entry = getattr(extension.lib, name)
         sizes = self._ffi.new("long long int[4]")
         getattr(extension.lib, f"{name}_work")(*(sizes + number for number in range(4)))
-        arguments, results, integers, reals = sizes
-        self._arguments = self._ffi.new(
-            "const double *[]", max(arguments, len(signature.arguments), 1)
-        )
-        self._results = self._ffi.new("double *[]", max(results, len(signature.outputs), 1))
-        self._integers = self._ffi.new("long long int[]", max(integers, 1))
-        self._reals = self._ffi.new("double[]", max(reals, 1))
+        self._sizes = tuple(sizes)
 
     def prepare(self, values: Sequence[Any]) -> list[Array]:
         """NumPy arrays of real numbers."""
@@ -83,14 +77,13 @@ class ForeignFunction(ArrayFunction):
     def _one(self, elements: Sequence[Array]) -> list[Array]:
         """Calls the C once."""
         rows = [np.zeros(output.size) for output in self.signature.outputs]
-        view = self._ffi.from_buffer
-        pointers = [view("double[]", array) for array in (*elements, *rows)]
-        for number, pointer in enumerate(pointers):
-            if number < len(elements):
-                self._arguments[number] = pointer
-            else:
-                self._results[number - len(elements)] = pointer
-        self._entry(self._arguments, self._results, self._integers, self._reals, 0)
+        new, view = self._ffi.new, self._ffi.from_buffer
+        arguments, results, integers, reals = self._sizes
+        given = new("const double *[]", max(arguments, len(elements)))
+        given[0 : len(elements)] = [view("double[]", array) for array in elements]
+        taken = new("double *[]", max(results, len(rows)))
+        taken[0 : len(rows)] = [view("double[]", array) for array in rows]
+        self._entry(given, taken, new("long long int[]", integers), new("double[]", reals), 0)
         return rows
 
     def _shaped(

@@ -60,6 +60,10 @@ class GuardError(ValueError):
         self.value = value
         self.bounds = bounds
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        message, where = str(self), (self.argument, self.index, self.value, self.bounds)
+        return type(self), (self.status, message, *where)
+
 
 class Kind(Enum):
     """What the elements of a domain mean to the guards."""
@@ -124,7 +128,7 @@ class Slot:
     upper: int
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Output:
     """A result: shape of one item (or of one epoch) and places of its structural non-zeros.
 

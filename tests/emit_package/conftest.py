@@ -17,7 +17,7 @@ from tests.emit_package import foreign
 
 def make(module: ir.Module, folder: Path) -> ModuleType:
     """Writes, compiles and imports a package with both scalar types and CasADi's C."""
-    single = replace(module, scalar=ir.Scalar.FLOAT)
+    single = replace(module, name=f"{module.name}_f32", scalar=ir.Scalar.FLOAT)
     text = {
         **packages.text_of(module, single),
         **c.emit(module),

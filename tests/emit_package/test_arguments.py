@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import pickle
 from types import ModuleType
 from typing import Any
 
@@ -165,6 +166,8 @@ def test_guard_error_carries_what_it_says(package: ModuleType, x: Any) -> None:
     assert (error.argument, error.index, error.value) == ("lever_arm", (1,), -11.0)
     assert error.bounds == (-10.0, 10.0)
     assert "lever_arm[1] (y) = -11.0" in str(error)
+    again = pickle.loads(pickle.dumps(error))
+    assert (str(again), vars(again)) == (str(error), vars(error))
 
 
 def test_guard_names_items_scalars_and_conditions(
@@ -205,6 +208,4 @@ def test_signatures_are_readable(functions: ModuleType) -> None:
 
 def test_functions_can_be_pickled(package: ModuleType, functions: ModuleType) -> None:
     """They are found again by the name of their module."""
-    import pickle
-
     assert pickle.loads(pickle.dumps(functions.gps)) is functions.gps

@@ -17,7 +17,7 @@ from tests.emit_numpy import modules, packages
 
 ROOT = Path(__file__).parents[2]
 MODULE = modules.module()
-TEXT = packages.text_of(MODULE, replace(MODULE, scalar=ir.Scalar.FLOAT))
+TEXT = packages.text_of(MODULE, replace(MODULE, name="rover_f32", scalar=ir.Scalar.FLOAT))
 STATIC = [
     name
     for name in TEXT

@@ -50,7 +50,7 @@ State.velocity
 def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Files of a package in both scalar types, not compiled."""
     module = modules.module()
-    text = packages.text_of(module, replace(module, scalar=ir.Scalar.FLOAT))
+    text = packages.text_of(module, replace(module, name="rover_f32", scalar=ir.Scalar.FLOAT))
     return packages.write(text, tmp_path_factory.mktemp("typed") / "rover")
 
 

@@ -10,7 +10,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from symnav import ir
-from symnav.emit.c.target import target_of
 from symnav.emit.python.names import result_names
 from symnav.emit.python.shapes import entries, is_scalar, signature_name
 from symnav.emit.python.text import call, lay_out, tuple_of
@@ -48,7 +47,7 @@ def native(module: ir.Module) -> str:
     ]
     return render(
         "package/native.py.j2",
-        prefix=target_of(module).prefix,
+        prefix=module.name,
         real=_REALS[module.scalar],
         doors=doors,
     )

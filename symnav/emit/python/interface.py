@@ -214,9 +214,9 @@ def _blocks(module: ir.Module) -> Iterator[str]:
     for block in blocks:
         yield f"    {block.name}: Array"
     yield from ["", ""]
-    yield from lay_out(tuple_of(_block(block) for block in blocks), before="BLOCKS = ")
+    yield from lay_out(tuple_of(_block(block) for block in blocks), before="_BLOCKS = ")
     yield ""
-    yield from [f"DIGEST = {quoted(module.state.digest)}"]
+    yield from [f"_DIGEST = {quoted(module.state.digest)}"]
 
 
 def _block(block: ir.StateBlock) -> Group:
