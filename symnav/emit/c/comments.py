@@ -67,6 +67,16 @@ def block(text: str, width: int = WIDTH, mark: str = "/*") -> list[str]:
     return [lines[0], *(" " * lead + line for line in lines[1:])]
 
 
+def fitted(text: str) -> str:
+    """A rendered file with the statements that long names made too long broken like the others."""
+    lines: list[str] = []
+    for line in text.splitlines():
+        indent = line[: len(line) - len(line.lstrip())]
+        breakable = len(line) > WIDTH and not line.lstrip().startswith(("#", "/*", "*"))
+        lines += _broken(line.strip(), indent) if breakable else [line]
+    return "\n".join(lines) + "\n"
+
+
 def _broken(text: str, indent: str) -> list[str]:
     """Break a statement at its outermost operators and commas, and inside only where it must."""
     deepest = max(_depths(text), default=0)

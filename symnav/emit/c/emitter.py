@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 from symnav import errors, ir
 from symnav.emit.c.arguments import with_free_names
+from symnav.emit.c.comments import fitted
 from symnav.emit.c.documentation import banner
 from symnav.emit.c.entry_points import Single
 from symnav.emit.c.header import Section, functions_header, types_header
@@ -67,7 +68,7 @@ def emit(module: ir.Module) -> dict[str, str]:
         files[f"{src}/{symbol}_kernel.h"] = _kernel_header(module, source.kernel)
         lead = banner(module, f"{symbol}.c", f"{title}: entry points.")
         files[f"{src}/{symbol}.c"] = source.source(lead)
-    return files
+    return {path: fitted(text) for path, text in files.items()}
 
 
 def _kernel_header(module: ir.Module, kernel: Kernel) -> str:
