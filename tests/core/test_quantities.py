@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import operator
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -84,7 +84,46 @@ def polynomial(w: World) -> Quantity:
     return ops.series("p", w.s * w.t, [Fraction(1, 2), Fraction(-3), Fraction(5, 7)])
 
 
+def turned(
+    world: World,
+    matrix: Sequence[Any] = sp.symbols("C0:9"),
+    source: str = "f",
+    target: str = "g",
+    tangent: str | None = None,
+    side: str = "right",
+) -> Rotation:
+    """A rotation; entries need not be those of a rotation for its rules to hold."""
+    entries = tuple(sp.sympify(e) for e in matrix)
+    return Rotation(world.graph, "C", source, target, entries, tangent, side)
+
+
+MATRIX = (2, -3, 5, 7, 1, -4, 3, 8, -6)
+
+
+def mixed(w: World) -> Quantity:
+    """A vector whose elements belong to two others, in another order."""
+    elements = (w.a.elements[2], w.b.elements[0], w.a.elements[1])
+    return Quantity(w.graph, elements, w.a.unit, "f")
+
+
+def rotated(a: Any) -> list[Any]:
+    """The matrix times a vector."""
+    return [mp.fdot(MATRIX[3 * i : 3 * i + 3], a) for i in range(3)]
+
+
 OPERATIONS: dict[str, tuple[Operation, Truth]] = {
+    "rotation": (
+        lambda w: ops.rotate(turned(w, MATRIX, target="f", source="g"), ops.let("m", 2.0 * w.a)),
+        lambda a, b, s, t: [2 * mp.fdot(MATRIX[i::3], a) for i in range(3)],
+    ),
+    "rotation of a mixture": (
+        lambda w: ops.rotate(turned(w, MATRIX), mixed(w)),
+        lambda a, b, s, t: rotated([a[2], b[0], a[1]]),
+    ),
+    "norm of a mixture": (
+        lambda w: ops.norm("r", mixed(w)),
+        lambda a, b, s, t: [mp.norm([a[2], b[0], a[1]])],
+    ),
     "sum": (
         lambda w: w.a + w.b + w.c,
         lambda a, b, s, t: combined(lambda x, y, z: x + y + z, a, b, STANDING),
@@ -155,11 +194,6 @@ def test_value_and_derivatives(name: str) -> None:
             column += 1
 
 
-def turned(world: World, side: str = "right", source: str = "f", target: str = "g") -> Rotation:
-    """A rotation that stands still."""
-    return Rotation(world.graph, "C", source, target, tuple(sp.symbols("C0:9")), None, side)
-
-
 def test_units_and_frames_of_results() -> None:
     """Every operation says what it gives."""
     world = World()
@@ -170,8 +204,9 @@ def test_units_and_frames_of_results() -> None:
         power = 2 if name in squares else 0 if name in plain else -1 if name == "inverse" else 1
         assert result.unit == units.parse("m") ** power, name
         vector = name in {"sum", "difference", "opposite", "scaled", "product", "cross", "total"}
-        vector = vector or name in {"named", "quotient", "third"}
-        assert result.frame == ("f" if vector else None), name
+        vector = vector or name in {"named", "quotient", "third"} or name.startswith("rotation")
+        frame = "g" if name.startswith("rotation") else "f"
+        assert result.frame == (frame if vector else None), name
         assert result.size == (3 if vector else 1), name
 
 
@@ -187,6 +222,32 @@ def test_rotation_of_constants() -> None:
     assert definitions[back.elements[1]] == m[1] * c[0] + m[4] * c[1] + m[7] * c[2]
     assert (forward.frame, back.frame) == ("g", "g")
     assert "C_rotated" not in world.graph.vertices
+
+
+@pytest.mark.parametrize("side", ["right", "left"])
+@pytest.mark.parametrize("forward", [True, False])
+def test_rotation_that_moves_with_its_operand(side: str, forward: bool) -> None:
+    """Both ways from one error add up: d(M Exp(d) (a + d)) = M (I - [a]x) d, and its kin."""
+    world = World()
+    ends = {"source": "f", "target": "g"} if forward else {"source": "g", "target": "f"}
+    out = ops.rotate(turned(world, MATRIX, tangent="a", side=side, **ends), world.a)
+    rows = jacobian(world.graph, out.elements, {"error of a": 3})["error of a"]
+    actual = sp.Matrix(3, 3, world.evaluate([e for row in rows for e in row]))
+    matrix = sp.Matrix(3, 3, MATRIX)
+    a = sp.Matrix(NUMBERS["a"])
+    if not forward:
+        matrix = matrix.T
+    sign = -1 if forward else 1
+    if (side == "right") == forward:
+        expected = matrix * (sp.eye(3) + sign * cross_matrix(a))
+    else:
+        expected = matrix + sign * cross_matrix(matrix * a)
+    assert max(abs(e) for e in actual - expected) < 1e-13
+
+
+def cross_matrix(v: Any) -> sp.Matrix:
+    """The matrix of the vector product with v from the left."""
+    return sp.Matrix([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]])
 
 
 def test_names_are_given_once() -> None:

@@ -5,7 +5,7 @@ Three kinds of sites, found in the syntax tree:
 sign
     ``a + b`` becomes ``a - b`` and the reverse; ``-a`` becomes ``a``. Signs that are data count as
     well: ``Operation.ADD`` and ``Operation.SUB``, ``operator.add`` and ``operator.sub``, the
-    strings ``"+"`` and ``"-"``.
+    strings ``"+"`` and ``"-"``, alone or as a piece of a formatted one.
 product
     The operands of ``cross``, ``quaternion_product`` and ``product`` change places; ``skew`` and
     ``_axis_cross``, which take a sign, get the opposite one.
@@ -127,8 +127,14 @@ def mutated(source: str, mutant: Mutant) -> ast.Module:
 
 
 def _short(node: ast.AST) -> str:
+    """The text of a node; of a long sum what is around its sign."""
+    if isinstance(node, ast.BinOp) and isinstance(node.op, (ast.Add, ast.Sub)):
+        left, right = " ".join(ast.unparse(node.left).split()), _short(node.right)
+        sign = "+" if isinstance(node.op, ast.Add) else "-"
+        bracketed = f"({right})" if isinstance(node.right, ast.BinOp) else right
+        return f"{left if len(left) <= 40 else '..' + left[-38:]} {sign} {bracketed}"
     text = " ".join(ast.unparse(node).split())
-    return text if len(text) <= 70 else f"{text[:34]}..{text[-34:]}"
+    return text if len(text) <= 60 else f"{text[:29]}..{text[-29:]}"
 
 
 class _Replacer(ast.NodeTransformer):

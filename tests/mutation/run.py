@@ -141,8 +141,11 @@ def evaluate(
     jobs: int,
     thorough: bool,
     report: Callable[[table.Row], None],
+    baseline: bool = True,
 ) -> None:
     """Evaluate mutants on a copy of the project; every result is reported when it is there.
+
+    ``baseline`` asks that the quick tests pass without any mutant, before anything else.
 
     Raises:
         RuntimeError: when the tests fail without any mutant.
@@ -153,12 +156,8 @@ def evaluate(
             worker = Worker(root)
             stack.callback(worker.close)
             queue.put(worker)
-        first = queue.get()
-        tests = dict.fromkeys(t for m in chosen for t in suites.quick(root, m.file))
-        failing = first(None, list(tests))
-        if failing is not None:
-            raise RuntimeError(f"without any mutant, {failing} fails; mend that first")
-        queue.put(first)
+        if baseline:
+            _require_passing(root, queue, chosen)
         run, lock = Run(root, queue, known, thorough), threading.Lock()
 
         def one(mutant: Mutant) -> None:
@@ -168,6 +167,15 @@ def evaluate(
 
         with ThreadPoolExecutor(jobs) as pool:
             list(pool.map(one, chosen))
+
+
+def _require_passing(root: Path, queue: SimpleQueue[Worker], chosen: Sequence[Mutant]) -> None:
+    first = queue.get()
+    tests = dict.fromkeys(t for m in chosen for t in suites.quick(root, m.file))
+    failing = first(None, list(tests)) if tests else None
+    if failing is not None:
+        raise RuntimeError(f"without any mutant, {failing} fails; mend that first")
+    queue.put(first)
 
 
 def sample(everything: Sequence[Mutant], count: int | None, seed: int) -> list[Mutant]:
