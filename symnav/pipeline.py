@@ -113,11 +113,12 @@ def emit(spec: Spec, derived: Derived) -> dict[str, str]:
     from symnav.emit import c, numpy, python
     from symnav.lower import casadi, casadi_witness, sympy
     from symnav.lower.module import module, through
+    from symnav.lower.passes.inline import inline
     from symnav.lower.passes.reciprocals import share_reciprocals
 
     everything = (*derived.layout, *derived.entries)
     lowered = [casadi.lower(spec, derivation) for derivation in everything]
-    c_functions = through(lowered, share_reciprocals)
+    c_functions = through(lowered, share_reciprocals, inline)
     numpy_functions = [sympy.lower(spec, derivation) for derivation in everything]
     double = module(spec, c_functions)
     vectorised = module(spec, numpy_functions)
@@ -130,12 +131,16 @@ def emit(spec: Spec, derived: Derived) -> dict[str, str]:
 
 def generate(spec: Spec, out: Path, progress: Progress = _silent) -> Generated:
     """Write the package of a spec below ``out``; nothing is written when a stage fails."""
+    return _generate(spec, out, progress)[0]
+
+
+def _generate(spec: Spec, out: Path, progress: Progress) -> tuple[Generated, Derived]:
     seconds: dict[str, float] = {}
     derived = _timed("derive", seconds, progress, lambda: derive(spec))
     text = _timed("emit", seconds, progress, lambda: emit(spec, derived))
     package = out / spec.name
     written = _timed("write", seconds, progress, lambda: _write(spec, package, text))
-    return Generated(package, written, not written, seconds)
+    return Generated(package, written, not written, seconds), derived
 
 
 def build(package: Path, native: bool = False, progress: Progress = _silent) -> BuildResult:
@@ -192,8 +197,8 @@ def _verify_in(
     from symnav.verify.references import References
 
     judge = None if reference is None else References(reference)
-    derived = derive(spec)
-    package = generate(spec, out, progress).package
+    generated, derived = _generate(spec, out, progress)
+    package = generated.package
     try:
         build(package, progress=progress)
     except BuildError as error:

@@ -13,6 +13,7 @@ from symnav import ir, pipeline
 from symnav.emit import c
 from symnav.lower import casadi
 from symnav.lower.module import module, through
+from symnav.lower.passes.inline import inline
 from symnav.lower.passes.reciprocals import share_reciprocals
 
 STRICT = (
@@ -35,7 +36,7 @@ def test_no_warning(model: str, scalar: ir.Scalar, tmp_path: Path) -> None:
     spec = replace(spec, entries=tuple(entries))
     derived = pipeline.derive(spec)
     lowered = [casadi.lower(spec, d) for d in (*derived.layout, *derived.entries)]
-    files = c.emit(module(spec, through(lowered, share_reciprocals), scalar))
+    files = c.emit(module(spec, through(lowered, share_reciprocals, inline), scalar))
     for path, text in files.items():
         target = tmp_path / path
         target.parent.mkdir(parents=True, exist_ok=True)
