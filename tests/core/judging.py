@@ -128,7 +128,7 @@ class Judge:
         rows = [[mpf(0)] * width for _ in dense]
         for row, differences in zip(rows, dense, strict=True):
             for column, value in zip((c for _, cs in active for c in cs), differences, strict=True):
-                row[column] = value
+                row[column] += value
         return rows
 
     def input_jacobian(self, name: str) -> Matrix:
@@ -169,6 +169,8 @@ class Judge:
             source, target = frame_map(declared.frame)
             maps = (self.entry.frames[source], self.entry.frames[target])
             return {"wxyz": unit(values), "maps": maps}
+        if declared.kind == "geodetic":
+            return {"llh": values, "frame": None}
         return {"value": values, "frame": self.entry.frames.get(declared.frame)}
 
     def _error(self, role: str) -> Error | None:
@@ -225,9 +227,12 @@ class Judge:
 
     def _geodetic(self) -> GeodeticBlock | None:
         binding = self.entry.bindings.get("position")
-        if not isinstance(binding, ToState):
+        if isinstance(binding, ToState):
+            block = self.spec.layout.places[binding.block].block
+        elif isinstance(binding, ToInput):
+            block = self.spec.inputs[binding.name].block
+        else:
             return None
-        block = self.spec.layout.places[binding.block].block
         return block if isinstance(block, GeodeticBlock) else None
 
 

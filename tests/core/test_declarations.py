@@ -31,7 +31,7 @@ def test_roles(model: Model) -> None:
             assert len(set(frame_map(role.frame))) == 2
         if role.kind != "geodetic":
             assert role.lower < role.upper, role.name
-            assert not role.positive or role.lower > 0
+            assert role.lower > 0 if role.positive else role.lower <= 0 <= role.upper, role.name
     assert model.role(names[0]) is model.roles[0]
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -108,6 +109,34 @@ def test_geodetic_position(axes: str, attitude_frame: str, error: str) -> None:
     )
 
 
+@pytest.mark.parametrize("wanted", [(), ("p",)])
+def test_geodetic_position_given(wanted: tuple[str, ...]) -> None:
+    """As an input, with and without Jacobian."""
+    case = Case(
+        "gnss_position",
+        [rotation("q")],
+        [geodetic("p"), vector("l", frame="b", bound=5.0)],
+        {"position": "p", "attitude": "q", "lever_arm": "l"},
+        {"body": "b", "nav": "n", "state": "ecef"},
+        entry={"jacobian_inputs": wanted},
+    )
+    check(case)
+
+
+def test_one_block_for_two_quantities() -> None:
+    """Its columns are the sum of both."""
+    case = gps()
+    check(replace(case, bindings={**case.bindings, "offset": "p"}))
+
+
+def test_error_frame_of_an_input() -> None:
+    """An input's error may be resolved in another frame too."""
+    case = gps()
+    place = vector("p", frame="n", error_frame="b")
+    entry = {"jacobian_inputs": ("p",)}
+    check(replace(case, blocks=case.blocks[1:], inputs=[place, *case.inputs], entry=entry))
+
+
 @pytest.mark.parametrize("covariance", [True, False])
 @pytest.mark.parametrize("maps", ["r -> n", "n -> r"])
 def test_fix_in_the_state_frame(maps: str, covariance: bool) -> None:
@@ -155,4 +184,6 @@ def test_local_from_geodetic(axes: str, turned: str | None) -> None:
         {"axes": axes},
     )
     check(case)
+    given = replace(case, bindings={**bindings, "reference": (0.7, -1.3, 250.0)})
+    check(given, z=(0.7000001, -1.2999997, 251.0))
     check(case, z=(0.7000001, -1.2999997, 251.0), o=(0.7, -1.3, 250.0), absolute="1e-14")

@@ -47,6 +47,25 @@ def test_navigation_frame(maps: str, sagnac: str) -> None:
     check(case, absolute="1e-11", o=(4.1e6, 1.3e6, 4.6e6), s=GEOMETRY["s"])
 
 
+def test_constants() -> None:
+    """Everything but the satellite is folded, or only the clock is estimated."""
+    base = ranges("exact", place="n")
+    fixed = {
+        "nav_to_ecef": (0.5, 0.5, -0.5, 0.5),
+        "lever_arm": (1.0, 2.0, -0.7),
+        "clock_bias": (12.3,),
+    }
+    satellite = base.inputs[2]
+    case = replace(base, bindings={**base.bindings, **fixed}, inputs=[satellite])
+    check(case, absolute="1e-9", s=GEOMETRY["s"])
+    bindings = {"position": GEOMETRY["p"], "clock_bias": "b", "satellite_position": "s"}
+    frames = {"place": "ecef", "ecef": "ecef"}
+    clock = replace(
+        base, blocks=[vector("b", 1)], bindings=bindings, inputs=[satellite], frames=frames
+    )
+    check(clock, absolute="1e-11", s=GEOMETRY["s"])
+
+
 @pytest.mark.parametrize("axes", ["ned", "enu"])
 @pytest.mark.parametrize("attitude_frame", ["fixed", "moving"])
 def test_geodetic_position(attitude_frame: str, axes: str) -> None:

@@ -50,6 +50,21 @@ def test_attitude_as_an_input(storage: str) -> None:
     )
 
 
+def test_constants() -> None:
+    """A fixed interval, fixed biases, a fixed attitude."""
+    case = inertial(2, "polynomial", rotation="exact")
+    fixed: dict[str, Any] = {**case.bindings, "dt": (0.01,)}
+    check(replace(case, bindings=fixed))
+    fixed |= {"gyro_bias": (0.1, 0.2, -0.05), "attitude": (0.5, 0.5, -0.5, 0.5)}
+    check(replace(case, bindings=fixed))
+
+
+def test_increments_as_states() -> None:
+    """Nothing forbids it."""
+    case = inertial(2, "polynomial", rotation="exact")
+    check(replace(case, blocks=[*case.blocks, *case.inputs], inputs=[]))  # type: ignore[list-item]
+
+
 def test_without_attitude() -> None:
     """The result stays in the body frame."""
     case = inertial(2, "polynomial", rotation="exact")
