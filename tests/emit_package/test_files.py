@@ -56,9 +56,13 @@ def test_lint(tmp_path: Path) -> None:
     """Generated files pass the linter, imports in order and docstrings included."""
     pytest.importorskip("ruff")
     packages.write(TEXT, tmp_path / "rover")
+    longest = "a_name_of_all_the_31_characters"
+    functions = (replace(modules.gps(), name=longest), replace(modules.ranges(), name="b" * 31))
+    long = modules.module(*functions, name=longest)
+    packages.write(packages.text_of(long, replace(long, name=f"{longest}_f32")), tmp_path / longest)
     rules = "E,W,F,I,UP,B,C4,RUF"
     command = [sys.executable, "-m", "ruff", "check", "--isolated", "--no-cache"]
-    options = ["--select", rules, "--line-length", "100", "--target-version", "py311", "rover"]
+    options = ["--select", rules, "--line-length", "100", "--target-version", "py311", "."]
     done = subprocess.run(
         [*command, *options], cwd=tmp_path, capture_output=True, text=True, check=False
     )

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from symnav import ir
 from symnav.emit.python.names import result_names
 from symnav.emit.python.shapes import entries, is_scalar, signature_name
-from symnav.emit.python.text import call, lay_out, tuple_of
+from symnav.emit.python.text import call, lay_out, quoted, tuple_of
 from symnav.emit.templates import render
 
 _REALS = {ir.Scalar.DOUBLE: "float64", ir.Scalar.FLOAT: "float32"}
@@ -23,28 +23,21 @@ class Door:
     """What the template of ``native.py`` says about one function.
 
     Attributes:
-        name: of the function.
-        signature: where its description stands.
-        lines: of the straight way in; empty when only the general way is open.
+        head: lines that make the general way in.
+        straight: lines of the straight way in; empty when only the general way is open.
+        public: lines that define the public function.
     """
 
-    name: str
-    signature: str
-    lines: tuple[str, ...]
+    head: tuple[str, ...]
+    straight: tuple[str, ...]
+    public: tuple[str, ...]
 
 
 def native(module: ir.Module) -> str:
     """Render ``native.py``, or ``native_f32.py`` for a module in single precision."""
     results = result_names(module.functions)
     kind = "" if module.scalar is ir.Scalar.DOUBLE else ", _real"
-    doors = [
-        Door(
-            function.name,
-            signature_name(function),
-            () if function.column_major else tuple(_door(function, results[function.name], kind)),
-        )
-        for function in module.functions
-    ]
+    doors = [_door(function, results[function.name], kind) for function in module.functions]
     return render(
         "package/native.py.j2",
         prefix=module.name,
@@ -55,14 +48,34 @@ def native(module: ir.Module) -> str:
 
 def casadi(module: ir.Module) -> str:
     """Render ``casadi.py``, for all but the maps of the state."""
-    functions = [
-        {"name": function.name, "signature": signature_name(function)}
-        for function in entries(module)
-    ]
-    return render("package/casadi.py.j2", name=module.name, functions=functions)
+    lines = [line for function in entries(module) for line in _foreign(module, function)]
+    return render("package/casadi.py.j2", name=module.name, lines=lines)
 
 
-def _door(function: ir.Function, result: str, kind: str) -> Iterator[str]:
+def _foreign(module: ir.Module, function: ir.Function) -> list[str]:
+    """The definition of a function in CasADi's C."""
+    own = call("_foreign.ForeignFunction", "_module", quoted(module.name), signature_name(function))
+    public = call("_calls.publish", own, "__name__")
+    return lay_out(public, before=f"{function.name} = ")
+
+
+def _door(function: ir.Function, result: str, kind: str) -> Door:
+    """Both ways into a function; columns need memory of their own, so they have only one."""
+    name = f"_{function.name}_function"
+    made = call("_compiled.CompiledFunction", "_library", signature_name(function))
+    head = lay_out(made, before=f"{name} = ")
+    public = [name, "__name__"]
+    straight: list[str] = []
+    if not function.column_major:
+        entry = call("_library.entry", quoted(function.name))
+        head += lay_out(entry, before=f"_{function.name}_entry = ")
+        straight += _straight(function, result, kind)
+        public.append(f"_{function.name}_call")
+    published = lay_out(call("_calls.publish", *public), before=f"{function.name} = ")
+    return Door(tuple(head), tuple(straight), tuple(published))
+
+
+def _straight(function: ir.Function, result: str, kind: str) -> Iterator[str]:
     """A function that goes straight to the C when its arguments are as the C wants them.
 
     What has the type and the shape of an array but no contiguous memory raises one of the errors

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 
 from symnav import errors, ir
 from symnav.emit.python.documentation import documentation
@@ -48,28 +47,26 @@ def interface(module: ir.Module) -> str:
         *_blocks(module),
     ]
     text = "\n".join(lines)
-    used = [name for name in _IMPORTED if re.search(rf"\b{name}\b(?!\")", text)]
     return render(
         "package/_interface.py.j2",
         name=module.name,
-        imported=used,
+        imported=_imported(module),
         infinite="math.inf" in text,
         stateful=bool(module.state.blocks),
         lines=lines,
     )
 
 
-_IMPORTED = (
-    "Argument",
-    "Array",
-    "Condition",
-    "Domain",
-    "Kind",
-    "Output",
-    "Signature",
-    "Slot",
-    "Status",
-)
+def _imported(module: ir.Module) -> list[str]:
+    """The records that the data is made of."""
+    names = {"Argument", "Array", "Domain", "Kind", "Output", "Signature"}
+    if any(list(_conditions(function)) for function in module.functions):
+        names |= {"Condition", "Status"}
+    outputs = [output for function in module.functions for output in function.outputs]
+    indices = {index for output in outputs for entry in output.entries for index in entry.index}
+    if any(isinstance(index, ir.Offset) for index in indices):
+        names.add("Slot")
+    return sorted(names)
 
 
 def _state_argument(module: ir.Module) -> ir.Argument | None:
@@ -106,7 +103,7 @@ def _signature(function: ir.Function, result: str, shared: ir.Argument | None) -
     yield from lay_out(tuple_of(arguments), after=",", depth=1)
     outputs = [_output(function, output) for output in function.outputs]
     yield from lay_out(tuple_of(outputs), after=",", depth=1)
-    conditions = list(_conditions(function)) if function.guarded else []
+    conditions = list(_conditions(function))
     if conditions:
         yield from lay_out(tuple_of(conditions), before="conditions=", after=",", depth=1)
     for name, value, default in (
@@ -196,9 +193,9 @@ def _slot(function: ir.Function, base: int, step: int, length: int, offset: ir.O
     return call("Slot", str(base), str(step), quoted(argument.name), element, *ends)
 
 
-def _conditions(function: ir.Function) -> Iterable[Group]:
+def _conditions(function: ir.Function) -> Iterator[Group]:
     for step in (*function.shared, *function.item):
-        if isinstance(step, ir.Check):
+        if isinstance(step, ir.Check) and function.guarded:
             meaning = quoted(" ".join(step.comment.split()) or step.target)
             bounds = (literal(step.lower), literal(step.upper))
             yield call("Condition", f"Status.{step.status.name}", *bounds, meaning)

@@ -52,6 +52,11 @@ def emit(module: ir.Module, single: ir.Module | None = None) -> dict[str, str]:
     return files
 
 
+def _rank(name: str) -> tuple[int, str]:
+    """Constants, then classes, then functions."""
+    return (0 if name.isupper() else 1 if name[0].isupper() else 2), name
+
+
 def _package(module: ir.Module, backends: Sequence[str]) -> str:
     functions = [function.name for function in module.functions]
     stateful = bool(module.state.blocks)
@@ -64,5 +69,5 @@ def _package(module: ir.Module, backends: Sequence[str]) -> str:
         results=sorted(results),
         backends=backends,
         stateful=stateful,
-        exported=sorted([*own, *functions, *results]),
+        exported=sorted([*own, *functions, *results], key=_rank),
     )
