@@ -14,9 +14,9 @@ transpose
     ``m[i][j]`` becomes ``m[j][i]`` and ``m[3 * i + j]`` becomes ``m[3 * j + i]``.
 
 Only arithmetic counts. Left alone are signs inside subscripts and arguments of ``range`` (where an
-element stands, not what it is: their transposes are mutants of their own), sums of text, of
-lists and of sets, annotations, and augmented assignments, which in these files gather lists and
-counts.
+element stands, not what it is: their transposes are mutants of their own) and inside formatted
+text, sums of text, of lists and of sets, annotations, and augmented assignments, which in these
+files gather lists and counts.
 """
 
 from __future__ import annotations
@@ -180,7 +180,9 @@ def _children(node: ast.AST) -> Iterator[tuple[str, ast.AST]]:
 
 
 def _is_index(node: ast.AST, name: str) -> bool:
-    """True where a child says which element, or how many."""
+    """True where a child says which element, how many, or what something is called."""
+    if isinstance(node, ast.FormattedValue):
+        return True
     if isinstance(node, ast.Subscript):
         return name == "slice"
     return isinstance(node, ast.Call) and _name(node.func) == "range"
@@ -271,6 +273,8 @@ def _two_indices(node: ast.AST) -> Change:
         return None
     first, second = node.value.slice, node.slice
     if not isinstance(first, ast.Name) or not isinstance(second, ast.Name):
+        return None
+    if first.id == second.id:
         return None
     swapped = deepcopy(node)
     assert isinstance(swapped.value, ast.Subscript)

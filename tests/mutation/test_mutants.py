@@ -17,8 +17,8 @@ def f(a: "int - x", b, m, q, k):
     c = cross(a, b) - skew(a, b)
     d = [m[3 * i + j] for i in range(k - 1) for j in range(3)]
     e = transpose(m)[i][j] + -a[k - 1]
-    names = ["x"] + list(k) + [f"-{b}"]
-    names += e
+    names = ["x"] + list(k) + [f"-{b - 1}"]
+    names += e[k][k]
     return product(*q), Operation.SUB, "-", m.T, tuple(zip(*m))
 
 
