@@ -84,7 +84,8 @@ class Function(ABC):
     ) -> Any:
         """The arrays of one part; a single one is not wrapped in a tuple."""
         arrays, evaluation = self._run(part, state, inputs, out)
-        outputs = tuple(self.result(evaluation, arrays))[: len(evaluation.outputs)]
+        self._refuse(evaluation, arrays)
+        outputs = tuple(evaluation.outputs)
         return outputs[0] if len(outputs) == 1 else outputs
 
     def single_difference(
@@ -111,13 +112,17 @@ class Function(ABC):
         return self.bound(arrays, extent, written or [])
 
     def result(self, evaluation: Evaluation, arrays: Sequence[Array]) -> Any:
-        """The result tuple of an evaluation; a failed epoch on its own raises its guard."""
+        """The result tuple of an evaluation of all outputs."""
+        self._refuse(evaluation, arrays)
+        items = () if evaluation.item_status is None else (evaluation.item_status,)
+        fields = (*evaluation.outputs, evaluation.status, *items)
+        return tuple.__new__(self.signature.result, fields)
+
+    def _refuse(self, evaluation: Evaluation, arrays: Sequence[Array]) -> None:
+        """Raises the guard of an epoch that failed on its own."""
         status = evaluation.status
         if isinstance(status, Status) and status not in (Status.OK, Status.PARTIAL):
             raise explain(self.signature, status, arrays)
-        items = () if evaluation.item_status is None else (evaluation.item_status,)
-        fields = (*evaluation.outputs, status, *items)
-        return tuple.__new__(self.signature.result, fields)
 
     def _run(
         self, part: Part, state: Sequence[Any], inputs: Mapping[str, Any], out: Any

@@ -152,40 +152,49 @@ class CompiledFunction(Function):
     def _many(
         self, part: Part, arrays: Sequence[Array], extent: Extent, out: list[Array] | None
     ) -> Evaluation:
-        """Calls the batch loop, which stores every output by row."""
-        listed = self.signature.outputs
+        """Calls the batch loop, which stores every output, by row."""
         wanted = outputs_of(self.signature, part)
-        given = dict(zip((output.name for output in wanted), out or (), strict=False))
-        given = {} if part is Part.NONZEROS else given
-        whole = [
-            given[output.name]
+        direct = () if part is Part.NONZEROS else out or ()
+        given = dict(zip((output.name for output in wanted), direct, strict=False))
+        whole = {
+            output.name: given[output.name]
             if output.name in given
             else np.empty(output_shape(output, Part.ALL, extent), dtype=self.real)
-            for output in listed
-        ]
-        inputs = [_stepped(array, rank, extent) for array, rank in self._ranked(arrays)]
-        steps: list[Any] = []
-        for array, step in inputs:
-            steps += [self._pointer(array), step, *(_numbers(extent) if not steps else ())]
+            for output in self.signature.outputs
+        }
         status = np.empty(extent.batch, dtype=np.uint8)
-        items = None
-        if extent.items is not None:
-            items = np.zeros((*extent.batch, extent.items), dtype=np.uint8)
-        written = [*whole, status, *([] if items is None else [items])]
-        self._batch(status.size, *steps, *map(self._pointer, written))
-        results = [array for output, array in zip(listed, whole, strict=True) if output in wanted]
+        items = [np.zeros((*extent.batch, number), dtype=np.uint8) for number in _numbers(extent)]
+        inputs: list[Any] = []
+        for array, rank in self._ranked(arrays):
+            memory, step = _stepped(array, rank, extent)
+            inputs += [self._pointer(memory), step, *(_numbers(extent) if not inputs else ())]
+        pointers = map(self._pointer, [*whole.values(), status, *items])
+        self._batch(status.size, *inputs, *pointers)
+        results = [whole[output.name] for output in wanted]
         if part is Part.NONZEROS:
-            named = dict(zip(self.signature.names, arrays, strict=True))
-            results = [
-                gather(output, array.reshape((*_lead(output, extent), output.size)), named)
-                for output, array in zip(wanted, results, strict=True)
-            ]
-        if part is Part.NONZEROS and out is not None:
-            passed = (status == Status.OK) | (status == Status.PARTIAL)
-            for target, result in zip(out, results, strict=True):
-                where = passed.reshape(passed.shape + (1,) * (result.ndim - passed.ndim))
-                np.copyto(target, result, where=where)
-        return self._voided(Evaluation(out or results, status, items), out)
+            results = self._nonzeros(results, arrays, extent, status, out)
+        evaluation = Evaluation(out or results, status, items[0] if items else None)
+        return self._voided(evaluation, out)
+
+    def _nonzeros(
+        self,
+        dense: Sequence[Array],
+        arrays: Sequence[Array],
+        extent: Extent,
+        status: Array,
+        out: list[Array] | None,
+    ) -> list[Array]:
+        """Non-zeros from a stack of dense Jacobians, put where they were asked for."""
+        named = dict(zip(self.signature.names, arrays, strict=True))
+        results = [
+            gather(output, array.reshape((*_lead(output, extent), output.size)), named)
+            for output, array in zip(self.signature.jacobians, dense, strict=True)
+        ]
+        passed = (status == Status.OK) | (status == Status.PARTIAL)
+        for target, result in zip(out or (), results, strict=False):
+            where = passed.reshape(passed.shape + (1,) * (result.ndim - passed.ndim))
+            np.copyto(target, result, where=where)
+        return results
 
     def _allocate(
         self, outputs: Sequence[Output], extent: Extent, out: list[Array] | None
