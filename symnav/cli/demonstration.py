@@ -37,7 +37,7 @@ Examples:
 )
 @click.option(
     "--samples",
-    type=click.IntRange(min=1),
+    type=click.IntRange(min=4),
     default=SAMPLES,
     show_default=True,
     help="Random states per function in the proof.",

@@ -31,7 +31,7 @@ Examples:
 )
 @click.option(
     "--samples",
-    type=click.IntRange(min=1),
+    type=click.IntRange(min=4),
     default=SAMPLES,
     show_default=True,
     help="Random states per function; edge and singular states come on top.",
