@@ -43,9 +43,11 @@ def compiled(language: str, folder: Path) -> Any:
     include = [f"-I{path}" for path in INCLUDES]
     library = folder / "form.so"
     for path, target in zip(sorted(GENERATED.glob("src/*.c")), objects, strict=True):
-        subprocess.run(["gcc", "-std=c99", "-fPIC", *include, "-c", path, "-o", target], check=True)
-    command = [compiler, standard, *WARNINGS, "-fPIC", "-shared", *include, shim, *objects]
-    done = subprocess.run([*command, "-o", library], capture_output=True, text=True, check=False)
+        plain = ["gcc", "-std=c99", "-fPIC", *include, "-c", str(path), "-o", target]
+        subprocess.run(plain, check=True)
+    command = [compiler, standard, *WARNINGS, "-fPIC", "-shared", *include, str(shim), *objects]
+    command += ["-o", str(library)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     return ctypes.CDLL(str(library))
 
