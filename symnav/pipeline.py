@@ -129,13 +129,30 @@ def emit(spec: Spec, derived: Derived) -> dict[str, str]:
     return text | casadi_witness.sources(spec, everything)
 
 
-def generate(spec: Spec, out: Path, progress: Progress = _silent) -> Generated:
-    """Write the package of a spec below ``out``; nothing is written when a stage fails."""
-    return _generate(spec, out, progress)[0]
+def generate(
+    spec: Spec, out: Path, progress: Progress = _silent, *, force: bool = False
+) -> Generated:
+    """Write the package of a spec below ``out``; nothing is written when a stage fails.
+
+    Args:
+        spec: what to generate.
+        out: the package goes to ``out/<name>``.
+        progress: told each stage.
+        force: write over changes made by hand.
+
+    Raises:
+        HandEditedError: when files of the package there were changed by hand.
+        InputError: when the folder there is not a generated package.
+    """
+    return _generate(spec, out, progress, force)[0]
 
 
-def _generate(spec: Spec, out: Path, progress: Progress) -> tuple[Generated, Derived]:
+def _generate(
+    spec: Spec, out: Path, progress: Progress, force: bool = False
+) -> tuple[Generated, Derived]:
     seconds: dict[str, float] = {}
+    if not force:
+        _protect(out / spec.name)
     derived = _timed("derive", seconds, progress, lambda: derive(spec))
     text = _timed("emit", seconds, progress, lambda: emit(spec, derived))
     package = out / spec.name
@@ -250,6 +267,26 @@ def _write(spec: Spec, package: Path, text: Mapping[str, str]) -> tuple[str, ...
     if changed or stale:
         _replace(package, complete, stale)
     return tuple(sorted([*changed, *stale]))
+
+
+def _protect(package: Path) -> None:
+    """Refuse to write over what somebody else wrote."""
+    from symnav.emit import manifest
+    from symnav.errors import HandEditedError
+
+    if not package.exists() or not any(package.iterdir()):
+        return
+    if not (package / "manifest.json").is_file():
+        raise InputError(
+            f"{package}: holds files but is no generated package; choose another --out, or use "
+            "--force to write into it"
+        )
+    report = manifest.check(package, None)
+    if report.state == "hand-edited":
+        raise HandEditedError(
+            f"{package}: changed by hand ({'; '.join(report.reasons[:3])}); keep a copy elsewhere, "
+            "then use --force to write over it"
+        )
 
 
 def _same(path: Path, content: str) -> bool:

@@ -30,7 +30,8 @@ Examples:
     metavar="DIR",
     help="Folder that receives the package.",
 )
-def generate(spec: str, out: Path, as_json: bool) -> None:
+@click.option("--force", is_flag=True, help="Write over changes made by hand.")
+def generate(spec: str, out: Path, force: bool, as_json: bool) -> None:
     """Derive SPEC and write its package.
 
     The package, C and NumPy, goes to a folder of its own in DIR. SPEC is a file or the name of a
@@ -40,7 +41,7 @@ def generate(spec: str, out: Path, as_json: bool) -> None:
 
     with progress() as reporter:
         loaded = pipeline.load(spec)
-        done = pipeline.generate(loaded, out, progress=reporter.stage)
+        done = pipeline.generate(loaded, out, progress=reporter.stage, force=force)
     if as_json:
         write_json(
             {

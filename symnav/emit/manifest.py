@@ -11,7 +11,7 @@ import json
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 
 from symnav import __version__
 from symnav.errors import InputError
@@ -104,11 +104,22 @@ def _read(package: Path) -> _Manifest:
         raise InputError(f"{package} holds no {MANIFEST}; it is not a generated package")
     try:
         content = json.loads(path.read_text(encoding="utf-8"))
-        return _Manifest(
-            str(content["generator"]), str(content["specification"]), dict(content["files"])
-        )
-    except (ValueError, KeyError, TypeError) as error:
+        files = {_inside(str(name)): str(digest) for name, digest in content["files"].items()}
+        return _Manifest(str(content["generator"]), str(content["specification"]), files)
+    except (AttributeError, ValueError, KeyError, TypeError) as error:
         raise InputError(f"{path} cannot be read; generate the package again") from error
+
+
+def _inside(name: str) -> str:
+    """A path that stays inside the package: a manifest may come from anywhere.
+
+    Raises:
+        ValueError: for an absolute path or one with "..".
+    """
+    path = PurePosixPath(name)
+    if path.is_absolute() or ".." in path.parts or "\\" in name:
+        raise ValueError(name)
+    return name
 
 
 def _differences(package: Path, expected: Mapping[str, str]) -> Iterator[tuple[str, str]]:

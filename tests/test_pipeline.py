@@ -1,0 +1,86 @@
+"""What generation writes, and what it leaves alone."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from pathlib import Path
+
+import pytest
+
+from symnav import pipeline
+from symnav.errors import HandEditedError, InputError
+from symnav.spec.records import Spec
+
+
+@pytest.fixture(scope="module")
+def spec() -> Spec:
+    return pipeline.load("reference_relative")
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    return {str(p.relative_to(folder)): p.read_bytes() for p in folder.rglob("*") if p.is_file()}
+
+
+def test_a_second_generation_writes_nothing(spec: Spec, tmp_path: Path) -> None:
+    first = pipeline.generate(spec, tmp_path)
+    assert first.written and not first.unchanged
+    before = contents(tmp_path)
+    again = pipeline.generate(spec, tmp_path)
+    assert again.unchanged and again.written == ()
+    assert contents(tmp_path) == before
+
+
+def test_changes_by_hand_are_kept(spec: Spec, tmp_path: Path) -> None:
+    package = pipeline.generate(spec, tmp_path).package
+    edited = package / "numpy.py"
+    edited.write_text(edited.read_text() + "# mine\n")
+    before = contents(tmp_path)
+    with pytest.raises(HandEditedError, match=r"numpy\.py was changed"):
+        pipeline.generate(spec, tmp_path)
+    assert contents(tmp_path) == before
+    assert pipeline.generate(spec, tmp_path, force=True).written == ("numpy.py",)
+    assert pipeline.check(package, spec).state == "fresh"
+
+
+def test_a_folder_of_somebody_else_is_left_alone(spec: Spec, tmp_path: Path) -> None:
+    own = tmp_path / spec.name / "notes.txt"
+    own.parent.mkdir()
+    own.write_text("mine")
+    with pytest.raises(InputError, match="no generated package"):
+        pipeline.generate(spec, tmp_path)
+    assert list(own.parent.iterdir()) == [own]
+
+
+def test_a_manifest_cannot_name_files_elsewhere(spec: Spec, tmp_path: Path) -> None:
+    package = pipeline.generate(spec, tmp_path).package
+    outside = tmp_path / "precious.txt"
+    outside.write_text("keep")
+    manifest = json.loads((package / "manifest.json").read_text())
+    manifest["files"]["../precious.txt"] = "0" * 64
+    (package / "manifest.json").write_text(json.dumps(manifest))
+    for force in (False, True):
+        with pytest.raises(InputError, match=r"manifest\.json cannot be read"):
+            pipeline.generate(spec, tmp_path, force=force)
+    assert outside.read_text() == "keep"
+
+
+def test_files_no_longer_generated_are_removed(spec: Spec, tmp_path: Path) -> None:
+    package = pipeline.generate(spec, tmp_path).package
+    text = (package / "manifest.json").read_text()
+    old = package / "c" / "src" / "old.c"
+    old.write_text("/* of an earlier generation */\n")
+    manifest = json.loads(text)
+    manifest["files"]["c/src/old.c"] = digest_of(old)
+    (package / "manifest.json").write_text(json.dumps(manifest))
+    assert "c/src/old.c" in pipeline.generate(spec, tmp_path).written
+    assert not old.exists()
+
+
+def digest_of(path: Path) -> str:
+    return hashlib.sha256(path.read_bytes()).hexdigest()
+
+
+def test_importing_something_else_says_so(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="not a generated package"):
+        pipeline.import_package(tmp_path)
