@@ -68,7 +68,7 @@ C_MACROS = _words("NULL EOF errno assert offsetof complex imaginary I linux unix
 ARGUMENT_NAMES = _words(
     """
     x d y n out value jacobian residual status item_status epochs nonzeros
-    noise_map self np xp
+    guards self np xp
     """
 )
 
@@ -76,14 +76,15 @@ ARGUMENT_NAMES = _words(
 STATE_ATTRIBUTES = _words(
     """
     size error_size names error units frames labels pack unpack retract local digest initial count
-    index
+    index slices conventions
     """
 )
 
 #: Modules, classes, files and enumerations of a generated package.
 FUNCTION_NAMES = _words(
     """
-    State BACKEND GuardError Status numpy native casadi c retract local types check state status
+    State BACKEND GuardError Status numpy native native_f32 casadi c retract local types check state
+    status
     real version manifest
     """
 )

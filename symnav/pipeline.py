@@ -126,7 +126,7 @@ def emit(spec: Spec, derived: Derived) -> dict[str, str]:
     text = {**c.emit(double), **numpy.emit(vectorised), **python.emit(double, single)}
     if single is not None:
         text |= c.emit(single)
-    return text | casadi_witness.sources(spec, everything)
+    return text | casadi_witness.sources(spec, derived.entries)
 
 
 def generate(

@@ -21,7 +21,7 @@ Table = dict[sp.Symbol, ca.SX]
 
 
 def sources(spec: Spec, derivations: Sequence[Derivation]) -> dict[str, str]:
-    """CasADi's C and header for every derivation, by path inside the package."""
+    """CasADi's C and header for every entry, by path inside the package."""
     prefix = f"{spec.name}_casadi"
     generator = ca.CodeGenerator(
         f"{prefix}.c", {"with_header": True, "cpp": False, "casadi_int": "long long int"}
@@ -35,7 +35,7 @@ def sources(spec: Spec, derivations: Sequence[Derivation]) -> dict[str, str]:
 
 def function(spec: Spec, derivation: Derivation, name: str) -> ca.Function:
     """One entry: inputs in argument order (one item's), outputs dense in the order of the IR."""
-    inputs = {a: ca.SX.sym(a, _size(spec, derivation, a)) for a in derivation.arguments}
+    inputs = {a: ca.SX.sym(a, _size(spec, a)) for a in derivation.arguments}
     plain = _evaluate(spec, derivation, inputs, {}, {})
     held = {d.symbol: plain.table[d.symbol] for d in derivation.equation.definitions if d.frozen}
     outputs = [_output(spec, derivation, o.name, inputs, plain, held) for o in derivation.outputs]
@@ -183,11 +183,9 @@ def _elements(vector: ca.SX) -> Iterator[ca.SX]:
     return (vector[i] for i in range(vector.numel()))
 
 
-def _size(spec: Spec, derivation: Derivation, argument: str) -> int:
-    if argument == STATE or (derivation.entry is None and argument == "y"):
+def _size(spec: Spec, argument: str) -> int:
+    if argument == STATE:
         return spec.layout.size
-    if derivation.entry is None and argument == "d":
-        return spec.layout.error_size
     return spec.inputs[argument].block.storage_size
 
 
