@@ -7,8 +7,8 @@ from dataclasses import replace
 
 import pytest
 
-from symnav import errors, ir
-from symnav.emit.python import emit, text
+from symnav import errors, ir, naming
+from symnav.emit.python import text
 from symnav.emit.python.documentation import documentation
 from symnav.emit.python.interface import interface
 from symnav.emit.python.names import result_names
@@ -138,21 +138,16 @@ def test_result_types_never_share_a_name() -> None:
 
 
 def test_names_the_package_needs_are_refused() -> None:
-    """Parameters, attributes of the state object and modules."""
-    guards = records.argument(records.domain("guards", 1, (0.0, 1.0)))
-    function = records.function("f", (guards,), (records.output("value", (), []),))
-    state = modules.state()
-    block = replace(state.blocks[0], name="slices")
-    for module, what in (
-        (modules.module(function), "no input can be called 'guards'"),
-        (modules.module(replace(function, arguments=(), name="numpy")), "no function .* 'numpy'"),
-        (
-            replace(modules.module(), state=replace(state, blocks=(block,))),
-            "no state block .*slices",
-        ),
+    """Parameters, attributes of the state object and modules; before anything is emitted."""
+    for name, use in (
+        ("guards", naming.Use.INPUT),
+        ("xp", naming.Use.INPUT),
+        ("slices", naming.Use.STATE),
+        ("conventions", naming.Use.STATE),
+        ("native_f32", naming.Use.FUNCTION),
+        ("casadi", naming.Use.FUNCTION),
     ):
-        with pytest.raises(errors.InputError, match=what):
-            emit(module)
+        assert naming.fault(name, use) is not None, name
 
 
 def test_two_moving_indices_are_refused() -> None:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from symnav import ir
 from symnav.emit.python.compiled import casadi, native
 from symnav.emit.python.interface import interface
-from symnav.emit.python.names import refuse_reserved, result_names
+from symnav.emit.python.names import result_names
 from symnav.emit.python.shapes import entries
 from symnav.emit.python.stubs import backend_stub, stub
 from symnav.emit.templates import render
@@ -34,11 +34,7 @@ def emit(module: ir.Module, single: ir.Module | None = None) -> dict[str, str]:
 
     Returns:
         Every Python file but ``numpy.py``, and the stubs of all of them.
-
-    Raises:
-        InputError: when a name would hide what the package itself defines.
     """
-    refuse_reserved(module)
     files = {name: render(f"package/{name}") for name in _STATIC}
     files["native.py"] = native(module)
     files["native.pyi"] = backend_stub(module.functions)
