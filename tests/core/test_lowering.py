@@ -193,6 +193,21 @@ def test_names_and_reuse(route: str) -> None:
     assert len(sines) == 1
 
 
+def test_names_beside_checks() -> None:
+    """A name stands for its own term also where checks travel with the terms."""
+    t, length, ratio = sp.symbols("t length ratio")
+    definitions = (
+        Definition(t, A * A + B * B, item=False, guard=Guard(0.0, 9.0, 1.0, "square")),
+        Definition(length, sp.sqrt(t), item=False),
+        Definition(ratio, A / length, item=False),
+    )
+    function = ROUTES["casadi"](layout(vector("v")), derivation([ratio, length + 1], definitions))
+    steps = {step.target: step.value for step in function.shared}
+    assert isinstance(steps["length"], ir.Call) and isinstance(steps["ratio"], ir.Call)
+    assert steps["length"].operation is ir.Operation.SQRT
+    assert steps["ratio"] == ir.Call(ir.Operation.DIV, (ir.Load("x", 0), ir.Ref("length")))
+
+
 def _contains(expression: ir.Expression, operation: ir.Operation) -> bool:
     if not isinstance(expression, ir.Call):
         return False

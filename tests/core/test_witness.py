@@ -56,6 +56,7 @@ def covariance() -> Case:
         [geodetic("z"), geodetic("o"), vector("P", 9, "1", bound=100.0)],
         {"fix": "z", "reference": "o", "covariance": "P"},
         {"level": "n", "local": "L"},
+        entry={"jacobian_inputs": ("z",)},
     )
 
 

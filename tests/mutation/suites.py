@@ -36,7 +36,7 @@ def quick(root: Path, file: str) -> list[str]:
     if file.startswith("symnav/emit/"):
         return _existing(root, ("core/test_printers.py",))
     if file.startswith("symnav/lower/passes/"):
-        return _existing(root, ("core/test_budgets.py", "passes"))
+        return _existing(root, ("core/test_passes.py", "core/test_budgets.py", "passes"))
     best = max((key for key in _QUICK if file.startswith(key)), key=len)
     return _existing(root, dict.fromkeys(f"core/test_{name}.py" for name in _QUICK[best]))
 
