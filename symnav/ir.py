@@ -149,6 +149,7 @@ class Kind(StrEnum):
     QUATERNION = "quaternion"
     MATRIX = "matrix"
     INTEGER = "integer"
+    UNREAD = "unread"
 
 
 @dataclass(frozen=True, slots=True)
@@ -160,7 +161,8 @@ class Domain:
         start: first element.
         size: number of elements.
         kind: REAL (range check), QUATERNION (4, unit norm), MATRIX (9, row-major, orthonormal)
-            or INTEGER (range check; passed to C as ``int32_t``).
+            INTEGER (range check; passed to C as ``int32_t``), or UNREAD: the function reads no
+            element of it, so a bad value there is none of its business.
         lower: one bound per element.
         upper: one bound per element.
         tolerance: on the squared norm, or on each product of columns; only QUATERNION, MATRIX.

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import sympy as sp
 
 from symnav import ir
 from symnav.binding import STATE
@@ -89,7 +92,8 @@ def _layout_facts(name: str) -> dict[str, object]:
 
 def _argument(spec: Spec, derivation: Derivation, name: str) -> ir.Argument:
     if name == STATE or (derivation.entry is None and name == "y"):
-        domains = tuple(storage_domain(place) for place in spec.layout.places.values())
+        read = _read_elements(derivation)
+        domains = tuple(_state_domain(derivation, place, read) for place in _places(spec))
         return ir.Argument(name, spec.layout.size, False, False, domains)
     if derivation.entry is None and name == "d":
         domains = tuple(_error_domain(place) for place in spec.layout.places.values())
@@ -98,6 +102,31 @@ def _argument(spec: Spec, derivation: Derivation, name: str) -> ir.Argument:
     domain = _domain(declared.block, 0, _kind(declared))
     size = declared.block.storage_size
     return ir.Argument(name, size, declared.item, declared.integer, (domain,))
+
+
+def _places(spec: Spec) -> tuple[Place, ...]:
+    return tuple(spec.layout.places.values())
+
+
+def _read_elements(derivation: Derivation) -> set[int]:
+    """First elements of the state symbols that anything depends on."""
+    used: set[sp.Basic] = set()
+    for definition in derivation.definitions:
+        used |= definition.expression.free_symbols
+    for output in derivation.outputs:
+        for e in output.entries.values():
+            used |= e.free_symbols
+    return {o.index for s, o in derivation.origins.items() if s in used and o.argument == STATE}
+
+
+def _state_domain(derivation: Derivation, place: Place, read: set[int]) -> ir.Domain:
+    """A block of the state; a measurement does not guard what it does not read."""
+    domain = storage_domain(place)
+    if derivation.entry is None or read.intersection(
+        range(place.storage.start, place.storage.stop)
+    ):
+        return domain
+    return replace(domain, kind=ir.Kind.UNREAD)
 
 
 def storage_domain(place: Place) -> ir.Domain:

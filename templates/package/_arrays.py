@@ -154,7 +154,11 @@ class Guards:
             passed = (array >= lower[0]) & (array <= upper[0]) & xp.isfinite(array)
             return [(passed, Status.RANGE)]
         low, high = (xp.asarray(bounds, dtype=array.dtype) for bounds in (lower, upper))
-        passed = xp.all((array >= low) & (array <= high) & xp.isfinite(array), axis=-1)
+        inside = (array >= low) & (array <= high) & xp.isfinite(array)
+        unread = [d.kind is Kind.UNREAD for d in argument.domains for _ in range(d.size)]
+        if any(unread):
+            inside = inside | xp.asarray(unread)
+        passed = xp.all(inside, axis=-1)
         failures = [(passed, Status.RANGE)]
         for domain in argument.domains:
             if domain.kind in (Kind.QUATERNION, Kind.MATRIX):

@@ -18,6 +18,8 @@ def explain(signature: Signature, status: Status, arrays: Sequence[Array]) -> Gu
         for number, row in enumerate(rows):
             item = (number,) if argument.item else ()
             for domain in argument.domains:
+                if domain.kind is Kind.UNREAD:
+                    continue
                 elements = row[domain.start : domain.start + domain.size].tolist()
                 find = _outside if status is Status.RANGE else _distorted
                 error = find(signature.name, argument, domain, item, elements)

@@ -72,6 +72,7 @@ class Kind(Enum):
     QUATERNION = "quaternion"
     MATRIX = "matrix"
     INTEGER = "integer"
+    UNREAD = "unread"
 
 
 @dataclass(frozen=True)

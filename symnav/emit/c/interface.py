@@ -205,6 +205,8 @@ def range_text(domain: ir.Domain) -> str:
     if domain.kind is ir.Kind.QUATERNION:
         order = " ".join(domain.labels)
         return f"unit quaternion, order {order}, q.q = 1 within {domain.tolerance:g}"
+    if domain.kind is ir.Kind.UNREAD:
+        return "not read"
     if domain.kind is ir.Kind.MATRIX:
         return f"orthonormal, by row, columns within {domain.tolerance:g}"
     return "range " + ", ".join(f"{lower:g} to {upper:g}" for lower, upper in pairs)

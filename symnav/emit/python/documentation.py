@@ -153,6 +153,8 @@ def _frame(frame: str) -> str:
 def _range(domain: ir.Domain) -> str:
     if domain.kind is ir.Kind.QUATERNION:
         return f"unit quaternion {' '.join(domain.labels)}"
+    if domain.kind is ir.Kind.UNREAD:
+        return "not read"
     if domain.kind is ir.Kind.MATRIX:
         return "orthonormal, row by row"
     pairs = list(dict.fromkeys(zip(domain.lower, domain.upper, strict=True)))

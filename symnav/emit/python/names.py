@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 from symnav import ir
 
+
 def result_names(functions: Sequence[ir.Function]) -> dict[str, str]:
     """The name of every function's result type, by function.
 
