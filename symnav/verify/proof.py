@@ -28,7 +28,7 @@ from symnav.verify.sheet import LIMITS, Finding, ProofSheet, Row, roundings
 Array = NDArray[np.float64]
 Indices = NDArray[np.intp]
 #: Fifty-digit evaluations per function; they cost milliseconds each.
-EXACT_SAMPLES = 24
+EXACT_SAMPLES = 16
 #: What references call the outputs that have another name here.
 _REFERENCE_NAMES = {"value_covariance": "covariance", "jacobian_fix": "noise_map"}
 BACKENDS = ("native", "numpy", "casadi")
