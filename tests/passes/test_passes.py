@@ -190,6 +190,16 @@ class TestReciprocals:
             assert divisions(changed) == (0, 1)
             assert not changed.shared
 
+    def test_names_say_what_is_divided_by(self) -> None:
+        """An input has a name as well; the only element of one needs no number."""
+        scale = building.argument(building.domain("dt", 0, ["value"], 1.0))
+        dt = ir.Load("dt", 0)
+        terms = [call(Op.DIV, a(k), divisor) for k in (1, 2) for divisor in (a(0), dt)]
+        function = small(value=add(*terms))
+        function = replace(function, arguments=(*function.arguments, scale))
+        changed = share_reciprocals(function)
+        assert [step.target for step in changed.shared] == ["inverse_a_0", "inverse_dt"]
+
     def test_names_are_free(self) -> None:
         """A step may already have the name."""
         function = small(

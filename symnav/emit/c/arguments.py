@@ -12,8 +12,8 @@ from symnav.emit.c.names import Names
 # Parameters and locals of the entry points and of the functions they call.
 LOCALS = frozenset(
     (
-        *("base", "block", "common", "count", "covariance", "dense", "epoch", "epochs"),
-        *("evaluated", "first", "i", "in", "item", "item_status", "k", "lane", "loaded"),
+        *("base", "block", "codes", "common", "count", "covariance", "dense", "epoch", "epochs"),
+        *("evaluated", "failure", "first", "i", "in", "item", "item_status", "k", "lane", "loaded"),
         *("matrix", "minus", "n", "nonzeros", "out", "outcome", "outside", "own", "reference"),
         *("rest", "result", "row", "shared", "sigma", "skewed", "status", "stride"),
     )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from symnav import errors, ir
 from symnav.emit.c.arguments import with_free_names
@@ -17,20 +17,23 @@ from symnav.emit.c.slots import refuse_slots_beyond
 from symnav.emit.c.target import Target, target_of
 from symnav.emit.templates import render
 
-# Order of the inline helpers in the check file: what is called stands in front of its caller.
-_HELPERS = (
-    "first_failure",
-    "is_within",
-    "is_outside",
-    "take_value",
-    "is_index_outside",
-    "take_index",
-    "is_skewed_quaternion",
-    "is_skewed_matrix",
-    "is_equal",
-    "smaller_of",
-    "larger_of",
-)
+# The inline helpers of the check file and what each of them calls, callees in front of callers.
+_HELPERS: Mapping[str, tuple[str, ...]] = {
+    "first_failure": (),
+    "is_within": (),
+    "is_centred": ("is_within",),
+    "is_equal": (),
+    "is_outside": ("is_within",),
+    "is_beyond": ("is_centred",),
+    "take_value": ("is_within", "is_equal"),
+    "take_centred": ("is_centred", "is_equal"),
+    "is_index_outside": (),
+    "take_index": (),
+    "is_skewed_quaternion": (),
+    "is_skewed_matrix": (),
+    "smaller_of": (),
+    "larger_of": (),
+}
 
 
 def emit(module: ir.Module) -> dict[str, str]:
@@ -87,14 +90,17 @@ def _check_header(module: ir.Module, target: Target, kernels: Sequence[Kernel]) 
     wanted = {"first_failure"}.union(*(kernel.helpers() for kernel in kernels))
     if any(kernel.function.single_difference and kernel.function.guarded for kernel in kernels):
         wanted.add("is_outside")
-    if wanted & {"take_value", "is_outside"}:
-        wanted.add("is_within")
+    for helper in reversed(tuple(_HELPERS)):
+        if helper in wanted:
+            wanted.update(_HELPERS[helper])
     brief = "Guards and helpers that the kernels share."
     return render(
         "c/check.h.j2",
         banner=banner(module, f"{target.prefix}_check.h", brief),
         target=target,
         helpers=[f"c/helpers/{helper}.j2" for helper in _HELPERS if helper in wanted],
+        flag="uint64_t" if target.scalar is ir.Scalar.DOUBLE else "uint32_t",
+        zero=target.literal(0.0),
         one=target.literal(1.0),
         fabs=target.function("fabs"),
     )

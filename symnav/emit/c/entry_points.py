@@ -190,7 +190,7 @@ class Single:
             Field("int32_t", self.kernel.inputs.table[slot].field, macro)
             for slot in self.kernel.slots
         ]
-        fields.append(Field(self.kernel.target.status, "status", macro))
+        fields.append(Field("flag_t", "status", macro))
         brief = "Non-zeros of a block of epochs, each stored contiguously across the epochs."
         return Struct(f"{self.kernel.local}_block_t", brief, tuple(fields))
 
@@ -224,8 +224,7 @@ class Single:
             ),
             "locals": self._locals(),
             "load": comments.code(
-                "const "
-                + f"{kernel.target.status} loaded = "
+                "const flag_t loaded = "
                 + self._load([f"&{name}[lane * {name}_step]" for name in _names(arguments)])
                 + ";",
                 depth=2,

@@ -119,7 +119,7 @@ class Inputs:
         name = f"{self.name}_load{'_item' if item else ''}"
         return Routine(
             brief=f"Check and copy the inputs of {'one item' if item else 'one call'}.",
-            head=head(f"{self.target.macro}_INLINE {self.target.status}", name, declarations),
+            head=head(f"{self.target.macro}_INLINE flag_t", name, declarations),
             body=tuple(self._loading(arguments)),
         )
 
@@ -137,13 +137,12 @@ class Inputs:
         """Names of the check functions the loaders call."""
         names: set[str] = set()
         for element in self.elements:
-            copied = self._is_copied(element)
-            if element.argument.integer:
-                names.add("take_index" if copied else "is_index_outside")
-            elif self.guarded:
-                names.add("take_value" if copied else "is_outside")
-                if element.domain.kind in (ir.Kind.QUATERNION, ir.Kind.MATRIX):
-                    names.add(f"is_skewed_{element.domain.kind.value}")
+            if not (self.guarded or element.argument.integer):
+                continue
+            take, test, _ = self._range_check(element)
+            names.add(take if self._is_copied(element) else test)
+            if self.guarded and element.domain.kind in (ir.Kind.QUATERNION, ir.Kind.MATRIX):
+                names.add(f"is_skewed_{element.domain.kind.value}")
         return names
 
     def _chosen(self, load: ir.Load, offset: ir.Offset, *, pointers: bool) -> str:
@@ -172,9 +171,9 @@ class Inputs:
             for domain in argument.domains
         )
         if ranged and arguments:
-            yield "    uint32_t outside = 0U;"
+            yield "    flag_t outside = 0U;"
         if skewed:
-            yield "    uint32_t skewed = 0U;"
+            yield "    flag_t skewed = 0U;"
         for argument in arguments:
             for domain in argument.domains:
                 yield from self._loading_domain(argument, domain)
@@ -182,6 +181,8 @@ class Inputs:
         yield from self._verdict(ranged=ranged and bool(arguments), skewed=skewed)
 
     def _loading_domain(self, argument: ir.Argument, domain: ir.Domain) -> Iterator[str]:
+        if domain.kind is ir.Kind.UNREAD:
+            return
         lines: list[str] = []
         for element in self.elements:
             if element.argument is argument and element.domain is domain:
@@ -196,17 +197,22 @@ class Inputs:
     def _loading_element(self, element: Element) -> list[str]:
         source = f"{element.argument.name}[{element.index}]"
         copy = self.place(element.load) if self._is_copied(element) else ""
-        if element.argument.integer:
-            low, high = integer_bounds(element.lower, element.upper)
-            take, test = "take_index", "is_index_outside"
-        elif self.guarded:
-            low, high = self.target.bounds(element.lower, element.upper)
-            take, test = "take_value", "is_outside"
-        else:
+        if not (self.guarded or element.argument.integer):
             return comments.code(f"{copy} = {source};") if copy else []
+        take, test, limits = self._range_check(element)
         if copy:
-            return comments.code(f"outside |= {take}({source}, {low}, {high}, &{copy});")
-        return comments.code(f"outside |= {test}({source}, {low}, {high});")
+            return comments.code(f"outside |= {take}({source}, {limits}, &{copy});")
+        return comments.code(f"outside |= {test}({source}, {limits});")
+
+    def _range_check(self, element: Element) -> tuple[str, str, str]:
+        """Names of the functions that copy or only test an element, and its limits."""
+        if element.argument.integer:
+            limits = ", ".join(integer_bounds(element.lower, element.upper))
+            return "take_index", "is_index_outside", limits
+        low, high = self.target.bounds(element.lower, element.upper)
+        if low == f"-{high}":
+            return "take_centred", "is_beyond", high
+        return "take_value", "is_outside", f"{low}, {high}"
 
     def _checking_norm(self, argument: ir.Argument, domain: ir.Domain) -> list[str]:
         copies = [
@@ -218,7 +224,7 @@ class Inputs:
         return comments.code(f"skewed |= {test}({', '.join([*copies, tolerance])});")
 
     def _verdict(self, *, ranged: bool, skewed: bool) -> list[str]:
-        code = self.target.code
+        code = self.target.flag
         text = code(ir.Status.OK)
         if skewed:
             text = f"(skewed != 0U) ? {code(ir.Status.QNORM)} : {text}"

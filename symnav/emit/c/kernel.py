@@ -267,7 +267,7 @@ class Kernel:
         )
 
     def _head(self, suffix: str, declarations: Sequence[str]) -> tuple[str, ...]:
-        result = f"{self.target.macro}_INLINE {self.target.status}"
+        result = f"{self.target.macro}_INLINE flag_t"
         return head(result, f"{self.local}_{suffix}", declarations)
 
     def _input_declaration(self, wanted: bool) -> list[str]:
@@ -320,12 +320,12 @@ class Kernel:
         """Return the status of the first check that failed."""
         checks = [step for step in steps if isinstance(step, ir.Check)]
         runs = [(status, list(run)) for status, run in groupby(checks, lambda check: check.status)]
-        text = self.target.code(ir.Status.OK)
+        text = self.target.flag(ir.Status.OK)
         for status, run in reversed(runs if self.function.guarded else []):
             passed = " && ".join(self._guard_names[check.target][1] for check in run)
             passed = f"({passed})" if len(run) > 1 else passed
             success = f"({text})" if "?" in text else text
-            text = f"{passed} ? {success} : {self.target.code(status)}"
+            text = f"{passed} ? {success} : {self.target.flag(status)}"
         return ["", *comments.code(f"return {text};")]
 
 

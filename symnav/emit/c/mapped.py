@@ -209,7 +209,7 @@ class Mapped:
             Field("int32_t", kernel.inputs.table[slot].field, self.lanes_macro)
             for slot in self._item_slots
         ]
-        fields.append(Field(kernel.target.status, "status", self.lanes_macro))
+        fields.append(Field("flag_t", "status", self.lanes_macro))
         brief = "Non-zeros of a block of items, each stored contiguously across the items."
         return Struct(f"{kernel.local}_block_t", brief, tuple(fields))
 
@@ -258,14 +258,13 @@ class Mapped:
             f"{kernel.local}_item",
             [*self.context(address=False), *read, f"&{OUTPUT_POINTER}"],
         )
-        status = f"const {kernel.target.status}"
         return {
             "locals": [
                 *([f"{item.name} {ITEM_POINTER};"] if item else []),
                 f"{kernel.output_struct.name} {OUTPUT_POINTER};",
             ],
-            "load": comments.code(f"{status} loaded = {load};", depth=2),
-            "evaluate": comments.code(f"{status} evaluated = {evaluate};", depth=2),
+            "load": comments.code(f"const flag_t loaded = {load};", depth=2),
+            "evaluate": comments.code(f"const flag_t evaluated = {evaluate};", depth=2),
         }
 
     def _lanes(self, suffix: str, outputs: Sequence[ir.Output]) -> dict[str, object]:
@@ -352,19 +351,19 @@ class Mapped:
             if parameter.direction == "out"
             and parameter.name.removesuffix("_nz") in {store.output.name for store in stores}
         ]
-        status = f"uint8_t item_status[{kernel.target.macro}_RESTRICT]"
+        codes = f"flag_t codes[{kernel.target.macro}_RESTRICT]"
         name = f"{kernel.local}_columns"
         passed = [
             *self.context(address=True),
             "n",
             *(argument.name for argument in self._item_arguments),
             *(_column_name(store.output) for store in stores),
-            "item_status",
+            "codes",
         ]
         return {
             "head": entry.prototype(kernel.target.status),
             "pointers": comments.code(f"if ({entry.pointers}) {{"),
-            "loop_head": self._loop_head(name, "static void", [*parameters, status]),
+            "loop_head": self._loop_head(name, "static void", [*parameters, codes]),
             **self._evaluation("i"),
             "stores": self.statements((self._column_store(s, limit) for s in stores), 2),
             "call": comments.code(call(name, passed) + ";", depth=4),

@@ -47,6 +47,10 @@ class Target:
         """A function of ``math.h`` for this type."""
         return name if self.scalar is ir.Scalar.DOUBLE else f"{name}f"
 
+    def flag(self, status: ir.Status) -> str:
+        """A status as kernels hand it on."""
+        return f"(flag_t){self.code(status)}"
+
     def code(self, status: ir.Status) -> str:
         """The enumerator of a status."""
         return f"{self.macro}_{status.name}"

@@ -73,13 +73,24 @@ def _names(function: ir.Function, divisors: Sequence[ir.Expression]) -> dict[ir.
     taken = {step.target for step in (*function.shared, *function.item)}
     names: dict[ir.Expression, str] = {}
     for divisor in sorted(divisors, key=lambda divisor: len(list(nodes(divisor)))):
-        stem = f"inverse_{divisor.name}" if isinstance(divisor, ir.Ref) else "inverse"
+        meaning = _meaning(function, divisor)
+        stem = f"inverse_{meaning}" if meaning else "inverse"
         name, count = stem, 2
         while name in taken:
             name, count = f"{stem}_{count}", count + 1
         taken.add(name)
         names[divisor] = name
     return names
+
+
+def _meaning(function: ir.Function, divisor: ir.Expression) -> str:
+    """What a divisor is called, where it has a name."""
+    if isinstance(divisor, ir.Ref):
+        return divisor.name
+    if isinstance(divisor, ir.Load) and isinstance(divisor.index, int):
+        single = any(a.name == divisor.argument and a.size == 1 for a in function.arguments)
+        return divisor.argument if single else f"{divisor.argument}_{divisor.index}"
+    return ""
 
 
 def _with_reciprocals(
@@ -100,8 +111,7 @@ def _with_reciprocals(
 
 def _reciprocal(divisor: ir.Expression, names: Mapping[ir.Expression, str]) -> ir.Statement:
     value = ir.Call(ir.Operation.DIV, (_ONE, _multiplied(divisor, names)))
-    of = f"one over {divisor.name}" if isinstance(divisor, ir.Ref) else "a reciprocal used twice"
-    return ir.Statement(names[divisor], value, of)
+    return ir.Statement(names[divisor], value, "shared reciprocal")
 
 
 def _output(output: ir.Output, names: Mapping[ir.Expression, str]) -> ir.Output:
