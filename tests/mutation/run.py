@@ -113,25 +113,43 @@ class Run:
 
 
 def run_everything(root: Path, mutant: Mutant) -> str | None:
-    """Every test that could notice, on a copy of the project that holds the mutant as text."""
+    """Every test that could notice, on a copy of the project that holds the mutant as text.
+
+    A test that fails without the mutant as well is left out, and the rest run again.
+    """
+    failing: list[str] = []
     with copy_of(root) as folder:
         path = folder / mutant.file
         tree = mutated(path.read_text(encoding="utf-8"), mutant)
         path.write_text(ast.unparse(tree), encoding="utf-8")
-        command = [sys.executable, "-m", "pytest", "-x", "-q", "--tb=no", "-p", "no:cacheprovider"]
-        try:
-            done = subprocess.run(
-                [*command, *suites.full(folder)], cwd=folder, timeout=FULL_LIMIT,
-                capture_output=True, text=True, check=False,
-                env={**os.environ, "PYTHONPATH": str(folder), "OPENBLAS_NUM_THREADS": "1"},
-            )  # fmt: skip
-        except subprocess.TimeoutExpired:
-            return "timeout"
+        while True:
+            killer = _first_failure(folder, [*suites.full(folder, mutant.file), *_without(failing)])
+            if killer is None or "::" not in killer:
+                return killer
+            if _first_failure(root, [killer]) is None:
+                return killer
+            failing.append(killer)
+
+
+def _without(tests: Sequence[str]) -> list[str]:
+    return [word for test in tests for word in ("--deselect", test)]
+
+
+def _first_failure(folder: Path, arguments: Sequence[str]) -> str | None:
+    """The first test that fails in a copy of the project, or what ended pytest, or None."""
+    command = [sys.executable, "-m", "pytest", "-x", "-q", "--tb=no", "-p", "no:cacheprovider"]
+    try:
+        done = subprocess.run(
+            [*command, *arguments], cwd=folder, timeout=FULL_LIMIT, capture_output=True, text=True,
+            check=False, env={**os.environ, "PYTHONPATH": str(folder), "OPENBLAS_NUM_THREADS": "1"},
+        )  # fmt: skip
+    except subprocess.TimeoutExpired:
+        return "timeout"
     if done.returncode == 0:
         return None
-    failed = [line.split()[1] for line in done.stdout.splitlines() if line.startswith("FAILED ")]
-    errors = [line.split()[1] for line in done.stdout.splitlines() if line.startswith("ERROR ")]
-    return next(iter([*failed, *errors]), f"pytest ended with {done.returncode}")
+    lines = [line for line in done.stdout.splitlines() if line.startswith(("FAILED ", "ERROR "))]
+    named = [line.partition(" ")[2].partition(" - ")[0] for line in lines]
+    return next(iter(named), f"pytest ended with {done.returncode}")
 
 
 def evaluate(
