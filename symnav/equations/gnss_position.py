@@ -148,8 +148,8 @@ def _one_observer(
 
 def _local_conventions(options: Mapping[str, OptionValue]) -> tuple[str, ...]:
     return (
-        "Latitude and longitude in radians on WGS-84; noise_map is d value / d(latitude, "
-        "longitude, height) at the fix.",
+        "Latitude and longitude in radians on WGS-84; the Jacobian by the fix, when asked for, is "
+        "by latitude, longitude and height: the map of their noise.",
         f"Local-level axes are {options['axes']} at the reference.",
     )
 
