@@ -1,0 +1,1 @@
+"""Shipped models against the formulas of their sources, written out by hand."""
