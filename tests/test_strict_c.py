@@ -17,9 +17,9 @@ from symnav.lower.passes.inline import inline
 from symnav.lower.passes.reciprocals import share_reciprocals
 
 STRICT = (
-    "-std=c99 -O2 -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion "
-    "-Wstrict-prototypes -Wmissing-prototypes -Werror"
-).split()
+    "-std=c99", "-O2", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wdouble-promotion",
+    "-Wstrict-prototypes", "-Wmissing-prototypes", "-Werror",
+)  # fmt: skip
 MODELS = [name for name, _ in pipeline.shipped()]
 
 
