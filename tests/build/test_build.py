@@ -133,6 +133,23 @@ def test_name_depends_on_all_that_matters(package: Path, monkeypatch: pytest.Mon
     assert len(list(package.glob("_rover_*"))) == 1
 
 
+def test_native_build_gives_the_same_bits(tmp_path: Path) -> None:
+    """Wider vectors, but no operation is fused: a batch is still one call after the other."""
+    function = modules.antenna(guarded=False)
+    package = write_package(tmp_path, modules.module(function))
+    samples = [draw(function, seed) for seed in range(40)]
+    plain, native = (
+        Library(load_extension(build.build(package, native=wanted)), "rover", np.float64)
+        for wanted in (False, True)
+    )
+    stacked = native.batch(function, samples)
+    for place, inputs in enumerate(samples):
+        one, same = plain.evaluate(function, inputs), native.evaluate(function, inputs)
+        for key, array in one.outputs.items():
+            np.testing.assert_array_equal(same[key], array)
+            np.testing.assert_array_equal(stacked[key][place].ravel(), array)
+
+
 def test_other_files_stay(package: Path) -> None:
     """Only earlier extensions of this very package are removed."""
     suffix = sysconfig.get_config_var("EXT_SUFFIX")
