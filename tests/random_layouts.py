@@ -31,9 +31,7 @@ def tables(draw: st.DrawFn) -> Table:
     if clock == "state":
         unit = draw(st.sampled_from(["m", "s"]))
         bound = 1e6 if unit == "m" else 1e-3
-        states.append(
-            {"name": "clock", "kind": "scalar", "unit": unit, "range": [-bound, bound]}
-        )
+        states.append({"name": "clock", "kind": "scalar", "unit": unit, "range": [-bound, bound]})
     table: Table = {
         "name": "sample",
         "frame": [
