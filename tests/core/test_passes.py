@@ -143,22 +143,30 @@ def straight_line(*steps: ir.Statement) -> ir.Function:
     )  # fmt: skip
 
 
-def test_reciprocals_of_arguments_come_first() -> None:
-    """Before the first step that reads them; names that are taken get a number."""
+def quotients(*targets: str) -> ir.Function:
+    """Four quotients by two arguments, under the names given, and a sum."""
     x, y = ir.Load("x", 0), ir.Load("x", 1)
-    divide, add = ir.Operation.DIV, ir.Operation.ADD
-    function = straight_line(
-        ir.Statement("inverse", ir.Call(divide, (x, y))),
-        ir.Statement("inverse_2", ir.Call(divide, (ir.Ref("inverse"), y))),
-        ir.Statement("u", ir.Call(divide, (ir.Ref("inverse"), x))),
-        ir.Statement("v", ir.Call(divide, (ir.Ref("u"), x))),
-        ir.Statement("w", ir.Call(add, (ir.Ref("inverse_2"), ir.Ref("v")))),
+    divide, (a, b, c, d) = ir.Operation.DIV, targets
+    return straight_line(
+        ir.Statement(a, ir.Call(divide, (x, y))),
+        ir.Statement(b, ir.Call(divide, (ir.Ref(a), y))),
+        ir.Statement(c, ir.Call(divide, (ir.Ref(a), x))),
+        ir.Statement(d, ir.Call(divide, (ir.Ref(c), x))),
+        ir.Statement("w", ir.Call(ir.Operation.ADD, (ir.Ref(b), ir.Ref(d)))),
     )
+
+
+def test_reciprocals_of_arguments_come_first() -> None:
+    """Before the first step that reads them, under names that are free."""
+    function = quotients("a", "b", "c", "d")
     shared = share_reciprocals(function)
-    assert [step.target for step in shared.shared] == [
-        "inverse_3", "inverse_4", "inverse", "inverse_2", "u", "v", "w",
-    ]  # fmt: skip
+    first, second, *others = [step.target for step in shared.shared]
+    assert others == ["a", "b", "c", "d", "w"]
     point = {"x": [1.5, 1.25]}
-    before, after = (Interpreter(f, DOUBLE).run(point).outputs["value"][(0,)] for f in
-                     (function, shared))  # fmt: skip
+    before, after = (
+        Interpreter(f, DOUBLE).run(point).outputs["value"][(0,)] for f in (function, shared)
+    )
     assert abs(before - after) < 1e-15
+    crowded = quotients(first, f"{first}_2", second, f"{second}_2")
+    renamed = [step.target for step in share_reciprocals(crowded).shared][:2]
+    assert sorted(renamed) == sorted([f"{first}_3", f"{second}_3"])
