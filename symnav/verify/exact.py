@@ -36,6 +36,7 @@ Arguments = Mapping[str, Sequence[Any]]
 class _Step:
     symbol: sp.Symbol
     value: closures.Closure
+    reads: frozenset[sp.Basic]
     frozen: bool
 
 
@@ -61,7 +62,8 @@ class Exact:
             if definition.symbol in wanted:
                 wanted |= definition.expression.free_symbols
                 value = closures.closure(definition.expression, system)
-                steps.append(_Step(definition.symbol, value, definition.frozen))
+                reads = frozenset(definition.expression.free_symbols)
+                steps.append(_Step(definition.symbol, value, reads, definition.frozen))
         self._steps = steps[::-1]
         self._outputs = {
             name: [closures.closure(e, system) for e in elements]
@@ -90,47 +92,55 @@ class Exact:
     def _derived(self, arguments: Arguments) -> dict[str, Vector]:
         """Jacobians, rates and mapped covariances."""
         equation = self._derivation.equation
-        held = self._held(arguments)
+        nominal = self._nominal(arguments)
         results: dict[str, Vector] = {}
         first = next(iter(equation.outputs))
         for output in self._derivation.outputs:
             if output.kind == "jacobian":
-                results[output.name] = self._jacobian(arguments, held, first, output.by)
+                results[output.name] = self._jacobian(arguments, nominal, first, output.by)
         for name, (source_output, source) in equation.rates.items():
-            results[name] = self._column(arguments, held, source_output, source, 0)
+            results[name] = self._column(arguments, nominal, source_output, source, 0)
         for name, (source, _) in equation.covariances.items():
-            covariance = [f(self._environment(arguments, held)) for f in self._covariances[name]]
-            columns = [self._column(arguments, held, first, source, j) for j in range(source.size)]
+            covariance = [f(nominal) for f in self._covariances[name]]
+            columns = [
+                self._column(arguments, nominal, first, source, j) for j in range(source.size)
+            ]
             results[name] = _sandwich(columns, covariance)
         return results
 
     def values(self, arguments: Arguments) -> dict[str, Vector]:
         """The outputs that need no derivative."""
-        return self._values(arguments, self._held(arguments))
-
-    def _values(self, arguments: Arguments, held: Mapping[sp.Symbol, Any]) -> dict[str, Vector]:
-        env = self._environment(arguments, held)
+        env = self._nominal(arguments)
         return {name: [f(env) for f in elements] for name, elements in self._outputs.items()}
 
-    def _held(self, arguments: Arguments) -> dict[sp.Symbol, Any]:
-        """Values the conventions freeze at the nominal state."""
+    def _nominal(self, arguments: Arguments) -> closures.Environment:
+        """Every term at the arguments given."""
         env = self._loads(arguments)
         for step in self._steps:
             env[step.symbol] = step.value(env)
-        return {step.symbol: env[step.symbol] for step in self._steps if step.frozen}
-
-    def _environment(
-        self, arguments: Arguments, held: Mapping[sp.Symbol, Any]
-    ) -> dict[sp.Symbol, Any]:
-        env = self._loads(arguments)
-        env.update(held)
-        for step in self._steps:
-            if not step.frozen:
-                env[step.symbol] = step.value(env)
         return env
 
-    def _loads(self, arguments: Arguments) -> dict[sp.Symbol, Any]:
-        env = {}
+    def _moved_terms(
+        self, arguments: Arguments, nominal: closures.Environment
+    ) -> closures.Environment:
+        """Every term at moved arguments: what the move does not reach keeps its nominal value.
+
+        Frozen terms keep it by convention, although the move would reach them.
+        """
+        env = dict(nominal)
+        dirty: set[sp.Basic] = set()
+        for symbol, value in self._loads(arguments).items():
+            if value is not nominal[symbol]:
+                env[symbol] = value
+                dirty.add(symbol)
+        for step in self._steps:
+            if not step.frozen and not dirty.isdisjoint(step.reads):
+                env[step.symbol] = step.value(env)
+                dirty.add(step.symbol)
+        return env
+
+    def _loads(self, arguments: Arguments) -> closures.Environment:
+        env: closures.Environment = {}
         for symbol, origin in self._derivation.origins.items():
             if origin.argument in arguments:
                 index = origin.index
@@ -140,7 +150,7 @@ class Exact:
         return env
 
     def _jacobian(
-        self, arguments: Arguments, held: Mapping[sp.Symbol, Any], output: str, by: str
+        self, arguments: Arguments, nominal: closures.Environment, output: str, by: str
     ) -> Vector:
         """Row-major derivative by the error of the state, or of the input ``by``."""
         rows = len(self._outputs[output])
@@ -148,7 +158,9 @@ class Exact:
         width = layout.error_size
         if by:
             (source,) = [s for s in self._derivation.equation.sources if s.name == by]
-            columns = [self._column(arguments, held, output, source, j) for j in range(source.size)]
+            columns = [
+                self._column(arguments, nominal, output, source, j) for j in range(source.size)
+            ]
             return [columns[j][i] for i in range(rows) for j in range(source.size)]
         zero = mp.mpf(0)
         dense = [[zero] * width for _ in range(rows)]
@@ -157,7 +169,7 @@ class Exact:
                 continue
             source = Source("", place.block.name, True, place.error_start, place.block.error_size)
             for j in range(source.size):
-                column = self._column(arguments, held, output, source, j)
+                column = self._column(arguments, nominal, output, source, j)
                 for i in range(rows):
                     dense[i][source.start + j] = column[i]
         return [e for row in dense for e in row]
@@ -175,7 +187,7 @@ class Exact:
     def _column(
         self,
         arguments: Arguments,
-        held: Mapping[sp.Symbol, Any],
+        nominal: closures.Environment,
         output: str,
         source: Source,
         j: int,
@@ -183,7 +195,7 @@ class Exact:
         ends = []
         for step in (STEP, -STEP):
             moved = self._moved(arguments, source, j, step)
-            env = self._environment(moved, held)
+            env = self._moved_terms(moved, nominal)
             ends.append([f(env) for f in self._outputs[output]])
         return [_quotient(a, b) for a, b in zip(*ends, strict=True)]
 
