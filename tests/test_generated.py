@@ -21,6 +21,7 @@ MODELS = (
     "farrell_tightly_coupled",
     "navtk_specific_force",
     "rover",
+    "single_point",
     "warpos_gps",
 )
 ADVICE = "run symnav generate {} --out generated and review the difference"

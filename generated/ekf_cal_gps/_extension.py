@@ -1,0 +1,104 @@
+"""The extension module that ``symnav build`` makes from the C of this package.
+
+The extension carries a name made from what it was compiled from; ``_build.json`` says which one
+belongs to this package and lists the digest of every source, so that a module compiled from other
+sources is refused.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Callable
+from importlib.machinery import EXTENSION_SUFFIXES, ExtensionFileLoader
+from importlib.util import module_from_spec, spec_from_file_location
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+
+from ._runtime import Array
+
+_BUILD = "_build.json"
+
+
+def load_extension(package: Path, key: str) -> ModuleType:
+    """Imports the extension that ``_build.json`` names under ``key``.
+
+    Raises:
+        ImportError: when nothing was built, when the sources changed since, or when the extension
+            does not belong to this interpreter; the message says what to run.
+    """
+    record = package / _BUILD
+    command = f"symnav build {_shown(package)}"
+    if not record.is_file():
+        raise ImportError(
+            f"{package.name}: not compiled yet; run: {command} (needs a C compiler: apt install "
+            "gcc libc6-dev python3-dev, dnf install gcc python3-devel, xcode-select --install, or "
+            "the Build Tools for Visual Studio)"
+        )
+    try:
+        build = json.loads(record.read_text(encoding="utf-8"))
+        sources, name = build["sources"], build[key]
+    except (KeyError, TypeError, ValueError):
+        raise ImportError(f"{package.name}: {_BUILD} cannot be read; run: {command}") from None
+    changed = sorted(set(sources.items()) ^ set(_digests(package).items()))
+    if changed:
+        raise ImportError(
+            f"{package.name}: sources changed since the build ({changed[0][0]}); run: {command}"
+        )
+    if not name:
+        raise ImportError(f"{package.name}: no {key} extension was built; run: {command}")
+    for suffix in EXTENSION_SUFFIXES:
+        path = package / f"{name}{suffix}"
+        if path.is_file():
+            return _load(name, path)
+    raise ImportError(f"{package.name}: {name} was built for another Python; run: {command}")
+
+
+def _shown(package: Path) -> str:
+    """The directory as one would type it."""
+    here = Path.cwd()
+    return str(package.relative_to(here) if package.is_relative_to(here) else package)
+
+
+def _digests(package: Path) -> dict[str, str]:
+    """Digests of the C as it is now."""
+    return {
+        path.relative_to(package).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest()
+        for folder in ("c", "casadi")
+        for path in (package / folder).rglob("*")
+        if path.suffix in (".c", ".h")
+    }
+
+
+def _load(name: str, path: Path) -> ModuleType:
+    spec = spec_from_file_location(name, path, loader=ExtensionFileLoader(name, str(path)))
+    assert spec is not None and spec.loader is not None
+    module = module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+class Library:
+    """The functions of one extension, for one floating-point type."""
+
+    def __init__(self, extension: ModuleType, prefix: str, real: str) -> None:
+        self.ffi: Any = extension.ffi
+        self.lib: Any = extension.lib
+        self.prefix = prefix
+        self.real = np.dtype(real)
+        self.reals = self.ffi.typeof("double[]" if real == "float64" else "float[]")
+        self.integers = self.ffi.typeof("int32_t[]")
+        self.bytes = self.ffi.typeof("uint8_t[]")
+
+    def entry(self, name: str) -> Callable[..., int]:
+        """An entry point by its name without the prefix."""
+        found: Callable[..., int] = getattr(self.lib, f"{self.prefix}_{name}")
+        return found
+
+    def pointer(self, array: Array) -> Any:
+        """The memory of a contiguous array, which stays alive with the pointer."""
+        kinds = {"i": self.integers, "u": self.bytes}
+        return self.ffi.from_buffer(kinds.get(array.dtype.kind, self.reals), array)

@@ -1,0 +1,249 @@
+"""Evaluation by the compiled C of this package."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from ._calls import Evaluation, Function
+from ._extension import Library
+from ._places import gather
+from ._runtime import (
+    Array,
+    Extent,
+    Output,
+    Part,
+    Signature,
+    Status,
+    as_numbers,
+    output_shape,
+    outputs_of,
+)
+
+
+class CompiledFunction(Function):
+    """A function whose entry points for one epoch and for many are compiled C."""
+
+    def __init__(self, library: Library, signature: Signature) -> None:
+        super().__init__(signature)
+        self.real = library.real
+        self._pointer = library.pointer
+        self._longest = signature.maximum or 0
+        both = bool(signature.values and signature.jacobians)
+        suffixes = {Part.ALL: "", Part.VALUE: "_value", Part.JACOBIAN: "_jacobian"}
+        self._entries = {
+            part: library.entry(signature.name + (suffix if both else ""))
+            for part, suffix in suffixes.items()
+        }
+        if any(output.places for output in signature.jacobians):
+            self._entries[Part.NONZEROS] = library.entry(f"{signature.name}_nz")
+        self._batch = library.entry(f"{signature.name}_batch")
+        if signature.single_difference:
+            self._differences = library.entry(f"{signature.name}_sd")
+
+    def prepare(self, values: Sequence[Any]) -> list[Array]:
+        """Real arrays of the compiled type; complex numbers are refused."""
+        pairs = zip(self.signature.arguments, values, strict=True)
+        return [as_numbers(argument, value, self.real, False) for argument, value in pairs]
+
+    def evaluate(
+        self, part: Part, arrays: Sequence[Array], extent: Extent, out: list[Array] | None
+    ) -> Evaluation:
+        """One epoch by its own entry point, more by the batch loop."""
+        if extent.batch == ():
+            return self._once(part, arrays, extent, out)
+        return self._many(part, arrays, extent, out)
+
+    def difference(
+        self, arrays: Sequence[Array], extent: Extent, reference: int, out: list[Array] | None
+    ) -> Evaluation:
+        """Epoch by epoch, since the differenced form has no batch loop."""
+        if extent.batch == ():
+            return self._once(Part.ALL, arrays, extent, out, reference)
+        items = extent.items or 0
+        outputs = self._allocate(self.signature.outputs, Extent(extent.batch, items - 1), out)
+        status: Array = np.empty(extent.batch, dtype=np.uint8)
+        item_status: Array = np.zeros((*extent.batch, items), dtype=np.uint8)
+        spread = self._spread(arrays, extent)
+        for epoch in np.ndindex(extent.batch):
+            own = [array[epoch] for array in spread]
+            rows = [array[(*epoch, ...)] for array in outputs]
+            done = self._once(Part.ALL, own, Extent((), items), rows, reference)
+            status[epoch], item_status[epoch] = done.status, done.item_status
+        return self._voided(Evaluation(outputs, status, item_status), out)
+
+    def bound(self, arrays: Sequence[Array], extent: Extent, out: list[Array]) -> Callable[[], Any]:
+        """Pointers made once; what is left of a call is the C and a look at its status."""
+        if extent.batch != () or self.signature.column_major:
+            return super().bound(arrays, extent, out)
+        items = self._item_status(extent)
+        first, *rest = map(self._pointer, [*arrays, *out, *items])
+        run = partial(self._entries[Part.ALL], first, *_numbers(extent), *rest)
+        item_status = items[0] if items else None
+        done = self.result(Evaluation(out, Status.OK, item_status), arrays)
+
+        def call() -> Any:
+            status = run()
+            if status:
+                return self.result(Evaluation(out, Status(status), item_status), arrays)
+            return done
+
+        return call
+
+    def _once(
+        self,
+        part: Part,
+        arrays: Sequence[Array],
+        extent: Extent,
+        out: list[Array] | None,
+        reference: int | None = None,
+    ) -> Evaluation:
+        """Calls an entry point for one epoch."""
+        entry, numbers, rows = self._entries[part], _numbers(extent), extent
+        longest = self._longest
+        if reference is not None:
+            entry, numbers = self._differences, (*numbers, reference)
+            rows, longest = Extent((), (extent.items or 0) - 1), longest - 1
+        wanted = outputs_of(self.signature, part)
+        given = dict(zip((output.name for output in wanted), out or (), strict=False))
+        buffers, results = [], []
+        for output in self.signature.outputs if part is Part.NONZEROS else wanted:
+            nonzeros = part is Part.NONZEROS and output.jacobian
+            buffer, view = self._memory(output, nonzeros, rows, longest, given.get(output.name))
+            buffers += [buffer] if output.places or not nonzeros else []
+            results += [view] if output in wanted else []
+        items = self._item_status(extent)
+        inputs = [np.ascontiguousarray(array) for array in arrays]
+        first, *rest = map(self._pointer, [*inputs, *buffers, *items])
+        status = Status(entry(first, *numbers, *rest))
+        if out is not None and status in (Status.OK, Status.PARTIAL):
+            for target, result in zip(out, results, strict=True):
+                if target is not result:
+                    np.copyto(target, result)
+        return Evaluation(out or results, status, items[0] if items else None)
+
+    def _memory(
+        self, output: Output, nonzeros: bool, extent: Extent, longest: int, given: Array | None
+    ) -> tuple[Array, Array]:
+        """What the C writes to, and the same memory with the axes of the result.
+
+        Non-zeros of items lie in columns as long as the most items, and so do rows of items where
+        Jacobians are stored by column.
+        """
+        items = extent.items if output.item else None
+        by_column = self.signature.column_major and output.jacobian and not nonzeros
+        if nonzeros and items is not None:
+            columns = np.zeros((len(output.places), longest), dtype=self.real)
+            return columns, columns[:, :items].T
+        if by_column:
+            height = output.shape[0] if len(output.shape) > 1 else 1
+            length = 1 if items is None else longest
+            columns = np.zeros((output.shape[-1], length, height), dtype=self.real)
+            view = columns.transpose(1, 2, 0)[: 1 if items is None else items]
+            # Only axes of length one go, so that this stays a view.
+            return columns, view.reshape(output_shape(output, Part.ALL, extent))
+        shape = output_shape(output, Part.NONZEROS if nonzeros else Part.ALL, extent)
+        array = np.empty(shape, dtype=self.real) if given is None else given
+        return array, array
+
+    def _many(
+        self, part: Part, arrays: Sequence[Array], extent: Extent, out: list[Array] | None
+    ) -> Evaluation:
+        """Calls the batch loop, which stores every output, by row."""
+        wanted = outputs_of(self.signature, part)
+        direct = () if part is Part.NONZEROS else out or ()
+        given = dict(zip((output.name for output in wanted), direct, strict=False))
+        whole = {
+            output.name: given[output.name]
+            if output.name in given
+            else np.empty(output_shape(output, Part.ALL, extent), dtype=self.real)
+            for output in self.signature.outputs
+        }
+        status = np.empty(extent.batch, dtype=np.uint8)
+        items = [np.zeros((*extent.batch, number), dtype=np.uint8) for number in _numbers(extent)]
+        inputs: list[Any] = []
+        for array, rank in self._ranked(arrays):
+            memory, step = _stepped(array, rank, extent)
+            inputs += [self._pointer(memory), step, *(_numbers(extent) if not inputs else ())]
+        pointers = map(self._pointer, [*whole.values(), status, *items])
+        self._batch(status.size, *inputs, *pointers)
+        results = [whole[output.name] for output in wanted]
+        if part is Part.NONZEROS:
+            results = self._nonzeros(results, arrays, extent, status, out)
+        evaluation = Evaluation(out or results, status, items[0] if items else None)
+        return self._voided(evaluation, out)
+
+    def _nonzeros(
+        self,
+        dense: Sequence[Array],
+        arrays: Sequence[Array],
+        extent: Extent,
+        status: Array,
+        out: list[Array] | None,
+    ) -> list[Array]:
+        """Non-zeros from a stack of dense Jacobians, put where they were asked for."""
+        named = dict(zip(self.signature.names, arrays, strict=True))
+        results = [
+            gather(output, array.reshape((*_lead(output, extent), output.size)), named)
+            for output, array in zip(self.signature.jacobians, dense, strict=True)
+        ]
+        passed = (status == Status.OK) | (status == Status.PARTIAL)
+        for target, result in zip(out or (), results, strict=False):
+            where = passed.reshape(passed.shape + (1,) * (result.ndim - passed.ndim))
+            np.copyto(target, result, where=where)
+        return results
+
+    def _allocate(
+        self, outputs: Sequence[Output], extent: Extent, out: list[Array] | None
+    ) -> list[Array]:
+        return out or [
+            np.empty(output_shape(output, Part.ALL, extent), dtype=self.real) for output in outputs
+        ]
+
+    def _voided(self, evaluation: Evaluation, out: list[Array] | None) -> Evaluation:
+        """NaN in new arrays where an epoch failed; arrays that were given stay as they are."""
+        status = evaluation.status
+        failed = (status != Status.OK) & (status != Status.PARTIAL)
+        if out is None and failed.any():
+            for array in evaluation.outputs:
+                array[failed] = np.nan
+        return evaluation
+
+    def _item_status(self, extent: Extent) -> list[Array]:
+        """Room for the status of every item, where the function is mapped."""
+        return [] if extent.items is None else [np.zeros(extent.items, dtype=np.uint8)]
+
+    def _ranked(self, arrays: Sequence[Array]) -> list[tuple[Array, int]]:
+        ranks = (argument.rank for argument in self.signature.arguments)
+        return list(zip(arrays, ranks, strict=True))
+
+    def _spread(self, arrays: Sequence[Array], extent: Extent) -> list[Array]:
+        """Arguments with all their leading axes."""
+        return [_spread(array, rank, extent) for array, rank in self._ranked(arrays)]
+
+
+def _lead(output: Output, extent: Extent) -> tuple[int, ...]:
+    """The axes in front of an output's own."""
+    return (*extent.batch, *(_numbers(extent) if output.item else ()))
+
+
+def _numbers(extent: Extent) -> tuple[int, ...]:
+    """The number of items, where there is one."""
+    return () if extent.items is None else (extent.items,)
+
+
+def _spread(array: Array, rank: int, extent: Extent) -> Array:
+    own = array.shape[array.ndim - rank :]
+    return np.broadcast_to(array, (*extent.batch, *own))
+
+
+def _stepped(array: Array, rank: int, extent: Extent) -> tuple[Array, int]:
+    """Memory of an argument and the distance between its epochs, zero when all share one."""
+    lead, own = array.shape[: array.ndim - rank], array.shape[array.ndim - rank :]
+    step = int(np.prod(own, dtype=np.int64))
+    if array.size == step and all(length == 1 for length in lead):
+        return np.ascontiguousarray(array), 0
+    return np.ascontiguousarray(_spread(array, rank, extent)), step

@@ -1,0 +1,7 @@
+from . import (
+    _Calc_Force,
+    _Force,
+)
+
+calc_force: _Calc_Force
+force: _Force

@@ -1,0 +1,11 @@
+from . import (
+    _Calc_Force,
+    _Force,
+    _Local,
+    _Retract,
+)
+
+retract: _Retract
+local: _Local
+calc_force: _Calc_Force
+force: _Force

@@ -1,0 +1,962 @@
+/* How to prefix internal symbols */
+#ifdef CASADI_CODEGEN_PREFIX
+  #define CASADI_NAMESPACE_CONCAT(NS, ID) _CASADI_NAMESPACE_CONCAT(NS, ID)
+  #define _CASADI_NAMESPACE_CONCAT(NS, ID) NS ## ID
+  #define CASADI_PREFIX(ID) CASADI_NAMESPACE_CONCAT(CODEGEN_PREFIX, ID)
+#else
+  #define CASADI_PREFIX(ID) single_point_casadi_ ## ID
+#endif
+
+#include <math.h>
+
+#ifndef casadi_real
+#define casadi_real double
+#endif
+
+#ifndef casadi_int
+#define casadi_int long long int
+#endif
+
+/* Add prefix to internal symbols */
+#define casadi_f0 CASADI_PREFIX(f0)
+#define casadi_f1 CASADI_PREFIX(f1)
+#define casadi_f2 CASADI_PREFIX(f2)
+#define casadi_s0 CASADI_PREFIX(s0)
+#define casadi_s1 CASADI_PREFIX(s1)
+#define casadi_s2 CASADI_PREFIX(s2)
+#define casadi_s3 CASADI_PREFIX(s3)
+#define casadi_sq CASADI_PREFIX(sq)
+
+/* Symbol visibility in DLLs */
+#ifndef CASADI_SYMBOL_EXPORT
+  #if defined(_WIN32) || defined(__WIN32__) || defined(__CYGWIN__)
+    #if defined(STATIC_LINKED)
+      #define CASADI_SYMBOL_EXPORT
+    #else
+      #define CASADI_SYMBOL_EXPORT __declspec(dllexport)
+    #endif
+  #elif defined(__GNUC__) && defined(GCC_HASCLASSVISIBILITY)
+    #define CASADI_SYMBOL_EXPORT __attribute__ ((visibility ("default")))
+  #else
+    #define CASADI_SYMBOL_EXPORT
+  #endif
+#endif
+
+casadi_real casadi_sq(casadi_real x) { return x*x;}
+
+/* Configuration this file was compiled with */
+CASADI_SYMBOL_EXPORT void single_point_casadi_casadi_version(int* major, int* minor, int* patch) {
+  *major = 3;
+  *minor = 8;
+  *patch = 2;
+}
+CASADI_SYMBOL_EXPORT int single_point_casadi_casadi_int_size(void) { return (int) sizeof(casadi_int); }
+CASADI_SYMBOL_EXPORT int single_point_casadi_casadi_real_size(void) { return (int) sizeof(casadi_real); }
+
+static const casadi_int casadi_s0[3] = {4, 1, 1};
+static const casadi_int casadi_s1[3] = {3, 1, 1};
+static const casadi_int casadi_s2[3] = {1, 1, 1};
+static const casadi_int casadi_s3[3] = {1, 4, 1};
+
+/* single_point_casadi_pseudorange:(i0[4],i1[3],i2,i3,i4)->(o0,o1[1x4]) */
+static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2, a3, a4, a5, a6, a7, a8, a9;
+  a0=arg[0]? arg[0][3] : 0;
+  a1=arg[4]? arg[4][0] : 0;
+  a0=(a0+a1);
+  a1=arg[0]? arg[0][0] : 0;
+  a2=arg[1]? arg[1][0] : 0;
+  a3=(a1-a2);
+  a3=casadi_sq(a3);
+  a4=arg[0]? arg[0][1] : 0;
+  a5=arg[1]? arg[1][1] : 0;
+  a6=(a4-a5);
+  a6=casadi_sq(a6);
+  a3=(a3+a6);
+  a6=arg[0]? arg[0][2] : 0;
+  a7=arg[1]? arg[1][2] : 0;
+  a8=(a6-a7);
+  a8=casadi_sq(a8);
+  a3=(a3+a8);
+  a3=sqrt(a3);
+  a0=(a0+a3);
+  a3=arg[3]? arg[3][0] : 0;
+  a0=(a0+a3);
+  a3=2.4323877909897254e-13;
+  a8=(a3*a2);
+  a8=(a4*a8);
+  a0=(a0+a8);
+  a8=299792458.;
+  a9=arg[2]? arg[2][0] : 0;
+  a8=(a8*a9);
+  a0=(a0-a8);
+  a8=(a3*a5);
+  a8=(a1*a8);
+  a0=(a0-a8);
+  if (res[0]!=0) res[0][0]=a0;
+  a1=(a1-a2);
+  a0=casadi_sq(a1);
+  a4=(a4-a5);
+  a8=casadi_sq(a4);
+  a0=(a0+a8);
+  a6=(a6-a7);
+  a7=casadi_sq(a6);
+  a0=(a0+a7);
+  a0=sqrt(a0);
+  a1=(a1/a0);
+  a5=(a3*a5);
+  a1=(a1-a5);
+  if (res[1]!=0) res[1][0]=a1;
+  a3=(a3*a2);
+  a4=(a4/a0);
+  a3=(a3+a4);
+  if (res[1]!=0) res[1][1]=a3;
+  a6=(a6/a0);
+  if (res[1]!=0) res[1][2]=a6;
+  a6=1.;
+  if (res[1]!=0) res[1][3]=a6;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int single_point_casadi_pseudorange(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f0(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int single_point_casadi_pseudorange_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void single_point_casadi_pseudorange_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void single_point_casadi_pseudorange_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void single_point_casadi_pseudorange_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int single_point_casadi_pseudorange_n_in(void) { return 5;}
+
+CASADI_SYMBOL_EXPORT casadi_int single_point_casadi_pseudorange_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real single_point_casadi_pseudorange_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* single_point_casadi_pseudorange_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "i0";
+    case 1: return "i1";
+    case 2: return "i2";
+    case 3: return "i3";
+    case 4: return "i4";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* single_point_casadi_pseudorange_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "o0";
+    case 1: return "o1";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* single_point_casadi_pseudorange_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s1;
+    case 2: return casadi_s2;
+    case 3: return casadi_s2;
+    case 4: return casadi_s2;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* single_point_casadi_pseudorange_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s2;
+    case 1: return casadi_s3;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int single_point_casadi_pseudorange_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5;
+  if (sz_res) *sz_res = 2;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int single_point_casadi_pseudorange_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 2*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* single_point_casadi_pseudorange_without_sagnac:(i0[4],i1[3],i2,i3,i4)->(o0,o1[1x4]) */
+static int casadi_f1(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a0, a1, a2, a3, a4, a5, a6, a7, a8;
+  a0=arg[0]? arg[0][3] : 0;
+  a1=arg[4]? arg[4][0] : 0;
+  a0=(a0+a1);
+  a1=arg[0]? arg[0][0] : 0;
+  a2=arg[1]? arg[1][0] : 0;
+  a3=(a1-a2);
+  a3=casadi_sq(a3);
+  a4=arg[0]? arg[0][1] : 0;
+  a5=arg[1]? arg[1][1] : 0;
+  a6=(a4-a5);
+  a6=casadi_sq(a6);
+  a3=(a3+a6);
+  a6=arg[0]? arg[0][2] : 0;
+  a7=arg[1]? arg[1][2] : 0;
+  a8=(a6-a7);
+  a8=casadi_sq(a8);
+  a3=(a3+a8);
+  a3=sqrt(a3);
+  a0=(a0+a3);
+  a3=arg[3]? arg[3][0] : 0;
+  a0=(a0+a3);
+  a3=299792458.;
+  a8=arg[2]? arg[2][0] : 0;
+  a3=(a3*a8);
+  a0=(a0-a3);
+  if (res[0]!=0) res[0][0]=a0;
+  a1=(a1-a2);
+  a2=casadi_sq(a1);
+  a4=(a4-a5);
+  a5=casadi_sq(a4);
+  a2=(a2+a5);
+  a6=(a6-a7);
+  a7=casadi_sq(a6);
+  a2=(a2+a7);
+  a2=sqrt(a2);
+  a1=(a1/a2);
+  if (res[1]!=0) res[1][0]=a1;
+  a4=(a4/a2);
+  if (res[1]!=0) res[1][1]=a4;
+  a6=(a6/a2);
+  if (res[1]!=0) res[1][2]=a6;
+  a6=1.;
+  if (res[1]!=0) res[1][3]=a6;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int single_point_casadi_pseudorange_without_sagnac(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f1(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int single_point_casadi_pseudorange_without_sagnac_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void single_point_casadi_pseudorange_without_sagnac_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void single_point_casadi_pseudorange_without_sagnac_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void single_point_casadi_pseudorange_without_sagnac_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int single_point_casadi_pseudorange_without_sagnac_n_in(void) { return 5;}
+
+CASADI_SYMBOL_EXPORT casadi_int single_point_casadi_pseudorange_without_sagnac_n_out(void) { return 2;}
+
+CASADI_SYMBOL_EXPORT casadi_real single_point_casadi_pseudorange_without_sagnac_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* single_point_casadi_pseudorange_without_sagnac_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "i0";
+    case 1: return "i1";
+    case 2: return "i2";
+    case 3: return "i3";
+    case 4: return "i4";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* single_point_casadi_pseudorange_without_sagnac_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "o0";
+    case 1: return "o1";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* single_point_casadi_pseudorange_without_sagnac_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s0;
+    case 1: return casadi_s1;
+    case 2: return casadi_s2;
+    case 3: return casadi_s2;
+    case 4: return casadi_s2;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* single_point_casadi_pseudorange_without_sagnac_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s2;
+    case 1: return casadi_s3;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int single_point_casadi_pseudorange_without_sagnac_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5;
+  if (sz_res) *sz_res = 2;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int single_point_casadi_pseudorange_without_sagnac_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 5*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 2*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+/* single_point_casadi_broadcast_orbit:(i0,i1,i2,i3,i4,i5,i6,i7,i8,i9,i10,i11,i12,i13,i14,i15,i16,i17,i18,i19,i20,i21)->(o0[3],o1,o2[3],o3) */
+static int casadi_f2(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
+  casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
+  casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
+  casadi_real a24, a25, a26, a27, a28, a29, a30, a31, a32, a33, a34, a35;
+  casadi_real a36, a37, a38, a39, a40, a41, a42, a43, a44, a45, a46, a47;
+  casadi_real a48, a49, a50, a51, a52, a53, a54, a55, a56;
+  a00=arg[9]? arg[9][0] : 0;
+  a01=arg[10]? arg[10][0] : 0;
+  a02=7.2921151466999996e-05;
+  a03=(a01-a02);
+  a04=arg[0]? arg[0][0] : 0;
+  a05=arg[1]? arg[1][0] : 0;
+  a06=(a04-a05);
+  a07=604800.;
+  a08=5.0000000000000000e-01;
+  a09=1.6534391534391535e-06;
+  a10=(a09*a06);
+  a10=(a08+a10);
+  a10=floor(a10);
+  a10=(a07*a10);
+  a06=(a06-a10);
+  a03=(a03*a06);
+  a03=(a00+a03);
+  a10=(a02*a05);
+  a03=(a03-a10);
+  a10=cos(a03);
+  a11=arg[11]? arg[11][0] : 0;
+  a12=1.;
+  a13=arg[4]? arg[4][0] : 0;
+  a14=casadi_sq(a13);
+  a14=(a12-a14);
+  a14=sqrt(a14);
+  a15=arg[5]? arg[5][0] : 0;
+  a16=1.9964981843217388e+07;
+  a17=arg[3]? arg[3][0] : 0;
+  a18=casadi_sq(a17);
+  a19=casadi_sq(a18);
+  a19=(a19*a18);
+  a19=(1./a19);
+  a19=sqrt(a19);
+  a19=(a16*a19);
+  a20=arg[6]? arg[6][0] : 0;
+  a19=(a19+a20);
+  a19=(a19*a06);
+  a19=(a15+a19);
+  a21=sin(a19);
+  a21=(a13*a21);
+  a22=(a19+a21);
+  a23=sin(a22);
+  a23=(a13*a23);
+  a21=(a21-a23);
+  a23=cos(a22);
+  a23=(a13*a23);
+  a23=(a12-a23);
+  a21=(a21/a23);
+  a22=(a22-a21);
+  a21=(a22-a19);
+  a23=sin(a22);
+  a23=(a13*a23);
+  a21=(a21-a23);
+  a23=cos(a22);
+  a23=(a13*a23);
+  a23=(a12-a23);
+  a21=(a21/a23);
+  a22=(a22-a21);
+  a21=(a22-a19);
+  a23=sin(a22);
+  a23=(a13*a23);
+  a21=(a21-a23);
+  a23=cos(a22);
+  a23=(a13*a23);
+  a23=(a12-a23);
+  a21=(a21/a23);
+  a22=(a22-a21);
+  a19=(a22-a19);
+  a21=sin(a22);
+  a21=(a13*a21);
+  a19=(a19-a21);
+  a21=cos(a22);
+  a21=(a13*a21);
+  a21=(a12-a21);
+  a19=(a19/a21);
+  a22=(a22-a19);
+  a19=sin(a22);
+  a14=(a14*a19);
+  a19=cos(a22);
+  a21=(a19-a13);
+  a14=atan2(a14,a21);
+  a14=(a11+a14);
+  a21=(2.*a14);
+  a23=cos(a21);
+  a24=arg[12]? arg[12][0] : 0;
+  a25=(a23*a24);
+  a14=(a14+a25);
+  a25=arg[13]? arg[13][0] : 0;
+  a21=sin(a21);
+  a26=(a25*a21);
+  a14=(a14+a26);
+  a26=cos(a14);
+  a27=arg[14]? arg[14][0] : 0;
+  a28=(a23*a27);
+  a29=arg[15]? arg[15][0] : 0;
+  a30=(a29*a21);
+  a28=(a28+a30);
+  a19=(a19*a13);
+  a19=(a12-a19);
+  a18=(a18*a19);
+  a28=(a28+a18);
+  a26=(a26*a28);
+  a18=(a10*a26);
+  a19=arg[7]? arg[7][0] : 0;
+  a30=arg[16]? arg[16][0] : 0;
+  a23=(a30*a23);
+  a23=(a19+a23);
+  a31=arg[17]? arg[17][0] : 0;
+  a21=(a31*a21);
+  a23=(a23+a21);
+  a21=arg[8]? arg[8][0] : 0;
+  a06=(a21*a06);
+  a23=(a23+a06);
+  a06=cos(a23);
+  a14=sin(a14);
+  a28=(a28*a14);
+  a06=(a06*a28);
+  a03=sin(a03);
+  a14=(a06*a03);
+  a18=(a18-a14);
+  if (res[0]!=0) res[0][0]=a18;
+  a10=(a10*a06);
+  a26=(a26*a03);
+  a10=(a10+a26);
+  if (res[0]!=0) res[0][1]=a10;
+  a23=sin(a23);
+  a28=(a28*a23);
+  if (res[0]!=0) res[0][2]=a28;
+  a28=arg[18]? arg[18][0] : 0;
+  a23=-4.4428076330000000e-10;
+  a10=(a13*a17);
+  a10=(a23*a10);
+  a22=sin(a22);
+  a10=(a10*a22);
+  a28=(a28+a10);
+  a10=arg[19]? arg[19][0] : 0;
+  a22=arg[20]? arg[20][0] : 0;
+  a26=arg[2]? arg[2][0] : 0;
+  a03=(a04-a26);
+  a06=(a09*a03);
+  a06=(a08+a06);
+  a06=floor(a06);
+  a06=(a07*a06);
+  a03=(a03-a06);
+  a06=(a22*a03);
+  a06=(a10+a06);
+  a06=(a06*a03);
+  a28=(a28+a06);
+  a06=arg[21]? arg[21][0] : 0;
+  a28=(a28-a06);
+  if (res[1]!=0) res[1][0]=a28;
+  a01=(a01-a02);
+  a28=(a04-a05);
+  a06=(a09*a28);
+  a06=(a08+a06);
+  a06=floor(a06);
+  a06=(a07*a06);
+  a28=(a28-a06);
+  a06=(a01*a28);
+  a00=(a00+a06);
+  a02=(a02*a05);
+  a00=(a00-a02);
+  a02=cos(a00);
+  a06=casadi_sq(a13);
+  a06=(a12-a06);
+  a06=sqrt(a06);
+  a03=casadi_sq(a17);
+  a18=casadi_sq(a03);
+  a18=(a18*a03);
+  a18=(1./a18);
+  a18=sqrt(a18);
+  a18=(a16*a18);
+  a18=(a18+a20);
+  a14=(a18*a28);
+  a14=(a15+a14);
+  a32=sin(a14);
+  a32=(a13*a32);
+  a33=(a14+a32);
+  a34=sin(a33);
+  a34=(a13*a34);
+  a32=(a32-a34);
+  a34=cos(a33);
+  a34=(a13*a34);
+  a34=(a12-a34);
+  a32=(a32/a34);
+  a35=(a33-a32);
+  a36=(a35-a14);
+  a37=sin(a35);
+  a37=(a13*a37);
+  a36=(a36-a37);
+  a37=cos(a35);
+  a37=(a13*a37);
+  a37=(a12-a37);
+  a36=(a36/a37);
+  a38=(a35-a36);
+  a39=(a38-a14);
+  a40=sin(a38);
+  a40=(a13*a40);
+  a39=(a39-a40);
+  a40=cos(a38);
+  a40=(a13*a40);
+  a40=(a12-a40);
+  a39=(a39/a40);
+  a41=(a38-a39);
+  a42=(a41-a14);
+  a43=sin(a41);
+  a43=(a13*a43);
+  a42=(a42-a43);
+  a43=cos(a41);
+  a43=(a13*a43);
+  a43=(a12-a43);
+  a42=(a42/a43);
+  a44=(a41-a42);
+  a45=sin(a44);
+  a45=(a06*a45);
+  a46=cos(a44);
+  a47=(a46-a13);
+  a48=atan2(a45,a47);
+  a11=(a11+a48);
+  a48=(2.*a11);
+  a49=cos(a48);
+  a50=(a49*a24);
+  a11=(a11+a50);
+  a50=sin(a48);
+  a51=(a25*a50);
+  a11=(a11+a51);
+  a51=cos(a11);
+  a52=cos(a48);
+  a53=casadi_sq(a45);
+  a54=casadi_sq(a47);
+  a53=(a53+a54);
+  a47=(a47/a53);
+  a54=cos(a44);
+  a14=cos(a14);
+  a14=(a14*a18);
+  a14=(a13*a14);
+  a55=(a18+a14);
+  a56=cos(a33);
+  a56=(a56*a55);
+  a56=(a13*a56);
+  a14=(a14-a56);
+  a14=(a14/a34);
+  a32=(a32/a34);
+  a33=sin(a33);
+  a33=(a33*a55);
+  a33=(a13*a33);
+  a32=(a32*a33);
+  a14=(a14-a32);
+  a55=(a55-a14);
+  a14=(a55-a18);
+  a32=cos(a35);
+  a32=(a32*a55);
+  a32=(a13*a32);
+  a14=(a14-a32);
+  a14=(a14/a37);
+  a36=(a36/a37);
+  a35=sin(a35);
+  a35=(a35*a55);
+  a35=(a13*a35);
+  a36=(a36*a35);
+  a14=(a14-a36);
+  a55=(a55-a14);
+  a14=(a55-a18);
+  a36=cos(a38);
+  a36=(a36*a55);
+  a36=(a13*a36);
+  a14=(a14-a36);
+  a14=(a14/a40);
+  a39=(a39/a40);
+  a38=sin(a38);
+  a38=(a38*a55);
+  a38=(a13*a38);
+  a39=(a39*a38);
+  a14=(a14-a39);
+  a55=(a55-a14);
+  a18=(a55-a18);
+  a14=cos(a41);
+  a14=(a14*a55);
+  a14=(a13*a14);
+  a18=(a18-a14);
+  a18=(a18/a43);
+  a42=(a42/a43);
+  a41=sin(a41);
+  a41=(a41*a55);
+  a41=(a13*a41);
+  a42=(a42*a41);
+  a18=(a18-a42);
+  a55=(a55-a18);
+  a54=(a54*a55);
+  a06=(a06*a54);
+  a47=(a47*a06);
+  a45=(a45/a53);
+  a44=sin(a44);
+  a44=(a44*a55);
+  a45=(a45*a44);
+  a47=(a47+a45);
+  a45=(2.*a47);
+  a52=(a52*a45);
+  a55=(a29*a52);
+  a48=sin(a48);
+  a48=(a48*a45);
+  a45=(a27*a48);
+  a55=(a55-a45);
+  a44=(a13*a44);
+  a44=(a03*a44);
+  a55=(a55+a44);
+  a44=(a51*a55);
+  a27=(a49*a27);
+  a29=(a29*a50);
+  a27=(a27+a29);
+  a46=(a46*a13);
+  a46=(a12-a46);
+  a03=(a03*a46);
+  a27=(a27+a03);
+  a03=sin(a11);
+  a24=(a24*a48);
+  a47=(a47-a24);
+  a25=(a25*a52);
+  a47=(a47+a25);
+  a03=(a03*a47);
+  a03=(a27*a03);
+  a44=(a44-a03);
+  a03=(a02*a44);
+  a51=(a51*a27);
+  a25=sin(a00);
+  a25=(a25*a01);
+  a24=(a51*a25);
+  a03=(a03-a24);
+  a24=sin(a00);
+  a49=(a30*a49);
+  a19=(a19+a49);
+  a50=(a31*a50);
+  a19=(a19+a50);
+  a28=(a21*a28);
+  a19=(a19+a28);
+  a28=cos(a19);
+  a50=sin(a11);
+  a55=(a50*a55);
+  a11=cos(a11);
+  a11=(a11*a47);
+  a11=(a27*a11);
+  a55=(a55+a11);
+  a11=(a28*a55);
+  a27=(a27*a50);
+  a50=sin(a19);
+  a31=(a31*a52);
+  a30=(a30*a48);
+  a31=(a31-a30);
+  a31=(a31+a21);
+  a50=(a50*a31);
+  a50=(a27*a50);
+  a11=(a11-a50);
+  a50=(a24*a11);
+  a28=(a28*a27);
+  a00=cos(a00);
+  a00=(a00*a01);
+  a01=(a28*a00);
+  a50=(a50+a01);
+  a03=(a03-a50);
+  if (res[2]!=0) res[2][0]=a03;
+  a02=(a02*a11);
+  a28=(a28*a25);
+  a02=(a02-a28);
+  a24=(a24*a44);
+  a51=(a51*a00);
+  a24=(a24+a51);
+  a02=(a02+a24);
+  if (res[2]!=0) res[2][1]=a02;
+  a02=sin(a19);
+  a02=(a02*a55);
+  a19=cos(a19);
+  a19=(a19*a31);
+  a27=(a27*a19);
+  a02=(a02+a27);
+  if (res[2]!=0) res[2][2]=a02;
+  a02=(a13*a17);
+  a23=(a23*a02);
+  a17=casadi_sq(a17);
+  a02=casadi_sq(a17);
+  a02=(a02*a17);
+  a02=(1./a02);
+  a02=sqrt(a02);
+  a16=(a16*a02);
+  a16=(a16+a20);
+  a05=(a04-a05);
+  a20=(a09*a05);
+  a20=(a08+a20);
+  a20=floor(a20);
+  a20=(a07*a20);
+  a05=(a05-a20);
+  a05=(a16*a05);
+  a15=(a15+a05);
+  a05=sin(a15);
+  a05=(a13*a05);
+  a20=(a15+a05);
+  a02=sin(a20);
+  a02=(a13*a02);
+  a05=(a05-a02);
+  a02=cos(a20);
+  a02=(a13*a02);
+  a02=(a12-a02);
+  a05=(a05/a02);
+  a17=(a20-a05);
+  a27=(a17-a15);
+  a19=sin(a17);
+  a19=(a13*a19);
+  a27=(a27-a19);
+  a19=cos(a17);
+  a19=(a13*a19);
+  a19=(a12-a19);
+  a27=(a27/a19);
+  a31=(a17-a27);
+  a55=(a31-a15);
+  a24=sin(a31);
+  a24=(a13*a24);
+  a55=(a55-a24);
+  a24=cos(a31);
+  a24=(a13*a24);
+  a24=(a12-a24);
+  a55=(a55/a24);
+  a51=(a31-a55);
+  a00=(a51-a15);
+  a44=sin(a51);
+  a44=(a13*a44);
+  a00=(a00-a44);
+  a44=cos(a51);
+  a44=(a13*a44);
+  a12=(a12-a44);
+  a00=(a00/a12);
+  a44=(a51-a00);
+  a44=cos(a44);
+  a15=cos(a15);
+  a15=(a15*a16);
+  a15=(a13*a15);
+  a28=(a16+a15);
+  a25=cos(a20);
+  a25=(a25*a28);
+  a25=(a13*a25);
+  a15=(a15-a25);
+  a15=(a15/a02);
+  a05=(a05/a02);
+  a20=sin(a20);
+  a20=(a20*a28);
+  a20=(a13*a20);
+  a05=(a05*a20);
+  a15=(a15-a05);
+  a28=(a28-a15);
+  a15=(a28-a16);
+  a05=cos(a17);
+  a05=(a05*a28);
+  a05=(a13*a05);
+  a15=(a15-a05);
+  a15=(a15/a19);
+  a27=(a27/a19);
+  a17=sin(a17);
+  a17=(a17*a28);
+  a17=(a13*a17);
+  a27=(a27*a17);
+  a15=(a15-a27);
+  a28=(a28-a15);
+  a15=(a28-a16);
+  a27=cos(a31);
+  a27=(a27*a28);
+  a27=(a13*a27);
+  a15=(a15-a27);
+  a15=(a15/a24);
+  a55=(a55/a24);
+  a31=sin(a31);
+  a31=(a31*a28);
+  a31=(a13*a31);
+  a55=(a55*a31);
+  a15=(a15-a55);
+  a28=(a28-a15);
+  a16=(a28-a16);
+  a15=cos(a51);
+  a15=(a15*a28);
+  a15=(a13*a15);
+  a16=(a16-a15);
+  a16=(a16/a12);
+  a00=(a00/a12);
+  a51=sin(a51);
+  a51=(a51*a28);
+  a13=(a13*a51);
+  a00=(a00*a13);
+  a16=(a16-a00);
+  a28=(a28-a16);
+  a44=(a44*a28);
+  a23=(a23*a44);
+  a04=(a04-a26);
+  a09=(a09*a04);
+  a08=(a08+a09);
+  a08=floor(a08);
+  a07=(a07*a08);
+  a04=(a04-a07);
+  a07=(a04*a22);
+  a22=(a22*a04);
+  a10=(a10+a22);
+  a07=(a07+a10);
+  a23=(a23+a07);
+  if (res[3]!=0) res[3][0]=a23;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int single_point_casadi_broadcast_orbit(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem){
+  return casadi_f2(arg, res, iw, w, mem);
+}
+
+CASADI_SYMBOL_EXPORT int single_point_casadi_broadcast_orbit_checkout(void) {
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT void single_point_casadi_broadcast_orbit_release(int mem) {
+}
+
+CASADI_SYMBOL_EXPORT void single_point_casadi_broadcast_orbit_incref(void) {
+}
+
+CASADI_SYMBOL_EXPORT void single_point_casadi_broadcast_orbit_decref(void) {
+}
+
+CASADI_SYMBOL_EXPORT casadi_int single_point_casadi_broadcast_orbit_n_in(void) { return 22;}
+
+CASADI_SYMBOL_EXPORT casadi_int single_point_casadi_broadcast_orbit_n_out(void) { return 4;}
+
+CASADI_SYMBOL_EXPORT casadi_real single_point_casadi_broadcast_orbit_default_in(casadi_int i) {
+  switch (i) {
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* single_point_casadi_broadcast_orbit_name_in(casadi_int i) {
+  switch (i) {
+    case 0: return "i0";
+    case 1: return "i1";
+    case 2: return "i2";
+    case 3: return "i3";
+    case 4: return "i4";
+    case 5: return "i5";
+    case 6: return "i6";
+    case 7: return "i7";
+    case 8: return "i8";
+    case 9: return "i9";
+    case 10: return "i10";
+    case 11: return "i11";
+    case 12: return "i12";
+    case 13: return "i13";
+    case 14: return "i14";
+    case 15: return "i15";
+    case 16: return "i16";
+    case 17: return "i17";
+    case 18: return "i18";
+    case 19: return "i19";
+    case 20: return "i20";
+    case 21: return "i21";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const char* single_point_casadi_broadcast_orbit_name_out(casadi_int i) {
+  switch (i) {
+    case 0: return "o0";
+    case 1: return "o1";
+    case 2: return "o2";
+    case 3: return "o3";
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* single_point_casadi_broadcast_orbit_sparsity_in(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s2;
+    case 1: return casadi_s2;
+    case 2: return casadi_s2;
+    case 3: return casadi_s2;
+    case 4: return casadi_s2;
+    case 5: return casadi_s2;
+    case 6: return casadi_s2;
+    case 7: return casadi_s2;
+    case 8: return casadi_s2;
+    case 9: return casadi_s2;
+    case 10: return casadi_s2;
+    case 11: return casadi_s2;
+    case 12: return casadi_s2;
+    case 13: return casadi_s2;
+    case 14: return casadi_s2;
+    case 15: return casadi_s2;
+    case 16: return casadi_s2;
+    case 17: return casadi_s2;
+    case 18: return casadi_s2;
+    case 19: return casadi_s2;
+    case 20: return casadi_s2;
+    case 21: return casadi_s2;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT const casadi_int* single_point_casadi_broadcast_orbit_sparsity_out(casadi_int i) {
+  switch (i) {
+    case 0: return casadi_s1;
+    case 1: return casadi_s2;
+    case 2: return casadi_s1;
+    case 3: return casadi_s2;
+    default: return 0;
+  }
+}
+
+CASADI_SYMBOL_EXPORT int single_point_casadi_broadcast_orbit_work(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 22;
+  if (sz_res) *sz_res = 4;
+  if (sz_iw) *sz_iw = 0;
+  if (sz_w) *sz_w = 0;
+  return 0;
+}
+
+CASADI_SYMBOL_EXPORT int single_point_casadi_broadcast_orbit_work_bytes(casadi_int *sz_arg, casadi_int* sz_res, casadi_int *sz_iw, casadi_int *sz_w) {
+  if (sz_arg) *sz_arg = 22*sizeof(const casadi_real*);
+  if (sz_res) *sz_res = 4*sizeof(casadi_real*);
+  if (sz_iw) *sz_iw = 0*sizeof(casadi_int);
+  if (sz_w) *sz_w = 0*sizeof(casadi_real);
+  return 0;
+}
+
+
