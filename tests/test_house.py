@@ -58,6 +58,14 @@ def rooms_entered(path: Path) -> set[str]:
     return {room(name) for name in inside if room(name) in ROOMS}
 
 
+def modules_entered(path: Path, names: set[str]) -> set[str]:
+    """The modules of the package a module imports, faces of folders left out."""
+    inside = {name.removeprefix("symnav.") for name in imports(path) if name.startswith("symnav.")}
+    found = {dotted if dotted in names else dotted.rpartition(".")[0] for dotted in inside}
+    faces = {name for name in names if (PACKAGE / name.replace(".", "/")).is_dir()}
+    return (found & names) - faces - {name_of(path)}
+
+
 def libraries(path: Path) -> set[str]:
     """The top-level packages a module imports."""
     return {name.partition(".")[0] for name in imports(path)}
@@ -82,6 +90,15 @@ def test_imports_go_one_way(path: Path) -> None:
         return
     allowed = set(ROOMS[: ROOMS.index(own) + 1]) if own else set()
     assert rooms_entered(path) <= allowed
+
+
+def test_imports_have_no_circle() -> None:
+    """Inside a room as well, something can be read first."""
+    names = {name_of(path) for path in modules()}
+    waiting = {name_of(path): modules_entered(path, names) for path in modules()}
+    while ready := {name for name, needed in waiting.items() if not needed & waiting.keys()}:
+        waiting = {name: needed for name, needed in waiting.items() if name not in ready}
+    assert waiting == {}
 
 
 def test_only_lowering_imports_casadi() -> None:

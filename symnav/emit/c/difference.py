@@ -2,26 +2,45 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 from symnav import ir
 from symnav.emit.c import comments
 from symnav.emit.c.entry_points import EntryPoint
 from symnav.emit.c.interface import Interface
 from symnav.emit.c.kernel import Kernel
+from symnav.emit.c.mapped import Mapped
 from symnav.emit.c.pieces import Parameter, call, head
 from symnav.emit.c.store import Use, stores_of
 from symnav.emit.templates import render
-
-if TYPE_CHECKING:
-    from symnav.emit.c.mapped import Mapped
 
 # A standard deviation above this has a square that overflows the type.
 _LARGEST = {ir.Scalar.DOUBLE: 1e150, ir.Scalar.FLOAT: 1e18}
 
 
-def differencing_entry_points(kernel: Kernel) -> list[EntryPoint]:
+@dataclass(frozen=True, slots=True)
+class Differenced:
+    """The source file of a mapped function and its differenced form."""
+
+    mapped: Mapped
+
+    @property
+    def kernel(self) -> Kernel:
+        """The kernel of the function."""
+        return self.mapped.kernel
+
+    def entry_points(self) -> list[EntryPoint]:
+        """Public symbols in the order of the header."""
+        return [*self.mapped.entry_points(), *_entry_points(self.kernel)]
+
+    def source(self, banner: Sequence[str]) -> str:
+        """Text of the source file."""
+        entries = {entry.symbol: entry for entry in self.entry_points()}
+        return self.mapped.source(banner) + _source(self.mapped, entries)
+
+
+def _entry_points(kernel: Kernel) -> list[EntryPoint]:
     """Public symbols of the differenced form."""
     interface = Interface(kernel)
     limit, symbol, title = interface.limit, kernel.symbol, kernel.function.title
@@ -74,7 +93,7 @@ def differencing_entry_points(kernel: Kernel) -> list[EntryPoint]:
     ]
 
 
-def differencing_source(mapped: Mapped, entries: Mapping[str, EntryPoint]) -> str:
+def _source(mapped: Mapped, entries: Mapping[str, EntryPoint]) -> str:
     """The differenced form, to follow the entry points of a mapped function."""
     kernel, symbol = mapped.kernel, mapped.kernel.symbol
     entry = entries[f"{symbol}_sd"]

@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 from symnav import errors, ir
 from symnav.emit.c.arguments import with_free_names
 from symnav.emit.c.comments import fitted
+from symnav.emit.c.difference import Differenced
 from symnav.emit.c.documentation import banner
 from symnav.emit.c.entry_points import Single
 from symnav.emit.c.header import Section, functions_header, types_header
@@ -57,7 +58,7 @@ def emit(module: ir.Module) -> dict[str, str]:
         Kernel(target, with_free_names(function), f"{target.prefix}_{function.name}")
         for function in module.functions
     ]
-    sources = [Mapped(kernel) if kernel.mapped else Single(kernel) for kernel in kernels]
+    sources = [_source_of(kernel) for kernel in kernels]
     sections = [Section(source.kernel, source.entry_points()) for source in sources]
     _refuse_collisions(sections)
     include, src = f"c/include/{target.prefix}", "c/src"
@@ -72,6 +73,14 @@ def emit(module: ir.Module) -> dict[str, str]:
         lead = banner(module, f"{symbol}.c", f"{title}: entry points.")
         files[f"{src}/{symbol}.c"] = source.source(lead)
     return {path: fitted(text) for path, text in files.items()}
+
+
+def _source_of(kernel: Kernel) -> Single | Mapped | Differenced:
+    """What writes the source file of a function."""
+    if not kernel.mapped:
+        return Single(kernel)
+    mapped = Mapped(kernel)
+    return Differenced(mapped) if kernel.function.single_difference else mapped
 
 
 def _kernel_header(module: ir.Module, kernel: Kernel) -> str:

@@ -13,7 +13,6 @@ from math import prod
 
 from symnav import ir
 from symnav.emit.c import comments
-from symnav.emit.c.difference import differencing_entry_points, differencing_source
 from symnav.emit.c.entry_points import EntryPoint, has_nonzeros, variants
 from symnav.emit.c.inputs import INPUT_POINTER, ITEM_POINTER
 from symnav.emit.c.interface import EPOCHS, Interface
@@ -62,8 +61,6 @@ class Mapped:
         parameters = (EPOCHS, *interface.stepped_arguments(), *interface.stacked_outputs())
         brief = f"{function.title}: many epochs in one call, the same number of items in each."
         listed.append(EntryPoint(f"{symbol}_batch", brief, parameters))
-        if function.single_difference:
-            listed += differencing_entry_points(self.kernel)
         return listed
 
     def source(self, banner: Sequence[str]) -> str:
@@ -74,7 +71,7 @@ class Mapped:
         stacked = self._stacks_by_row()
         rows = [self._rows(suffix, outputs, Use.DENSE) for suffix, _, outputs in kinds]
         rows += [self._rows("", function.outputs, Use.STACKED)] if stacked else []
-        main = render(
+        return render(
             "c/mapped_function.c.j2",
             banner=banner,
             target=self.kernel.target,
@@ -97,9 +94,6 @@ class Mapped:
             columns=self._columns(entries[f"{symbol}_nz"]) if has_nonzeros(function) else None,
             batch=self._batch(entries[f"{symbol}_batch"], by_row=stacked),
         )
-        if not function.single_difference:
-            return main
-        return main + differencing_source(self, entries)
 
     def prologue(self) -> dict[str, object]:
         """Locals and calls that prepare what all items share."""
