@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -153,3 +154,21 @@ def test_what_building_leaves_is_no_edit(copy: Path) -> None:
     (copy / "__pycache__").mkdir(exist_ok=True)
     (copy / "__pycache__" / "numpy.cpython-311.pyc").write_bytes(b"")
     assert check(copy, "rover")[0] == 0
+
+
+@pytest.mark.parametrize("model", MODELS)
+def test_headers_name_every_refusal(model: str) -> None:
+    """Whoever passes a range or a quaternion learns what is returned outside it."""
+    header = GENERATED / model / "c" / "include" / model / f"{model}.h"
+    comments = re.findall(r"/\*\*(.*?)\*/", header.read_text(encoding="utf-8"), flags=re.DOTALL)
+    functions = [
+        text for text in comments if "@return" in text and "@param[in]   epochs" not in text
+    ]
+    assert functions
+    for text in functions:
+        inputs, _, returned = text.partition("@return")
+        inputs = "".join(part for part in inputs.split("@param") if part.startswith("[in]"))
+        if re.search(r"\branges?\b", inputs):
+            assert "RANGE (" in returned, text
+        if "q.q = 1" in inputs or "orthonormal" in inputs:
+            assert "QNORM (" in returned, text

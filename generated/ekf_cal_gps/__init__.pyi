@@ -37,16 +37,16 @@ class _Retract(Protocol):
             - [3:6] velocity (m/s, frame l, range [-1e9, 1e9])
             - [6:9] acceleration (m/s^2, frame l, range [-1e9, 1e9])
             - [9:13] attitude (map b -> l, unit quaternion w x y z)
-            - [13:16] angular_rate (rad/s, frame b, range [-1e9, 1e9])
-            - [16:19] angular_acceleration (rad/s^2, frame b, range [-1e9, 1e9])
+            - [13:16] angular_rate (rad/s, frame l, range [-1e9, 1e9])
+            - [16:19] angular_acceleration (rad/s^2, frame l, range [-1e9, 1e9])
             - [19:22] antenna (m, frame b, range [-50, 50])
         d : array_like, shape (..., 21)
             - [0:3] position (m, frame l, range [-1e9, 1e9]): Error of position
             - [3:6] velocity (m/s, frame l, range [-1e9, 1e9]): Error of velocity
             - [6:9] acceleration (m/s^2, frame l, range [-1e9, 1e9]): Error of acceleration
             - [9:12] attitude (rad, frame b, range [-6, 6]): Error of attitude
-            - [12:15] angular_rate (rad/s, frame b, range [-1e9, 1e9]): Error of angular_rate
-            - [15:18] angular_acceleration (rad/s^2, frame b, range [-1e9, 1e9]): Error of
+            - [12:15] angular_rate (rad/s, frame l, range [-1e9, 1e9]): Error of angular_rate
+            - [15:18] angular_acceleration (rad/s^2, frame l, range [-1e9, 1e9]): Error of
               angular_acceleration
             - [18:21] antenna (m, frame b, range [-1e9, 1e9]): Error of antenna
         out : RetractResult, tuple or dict of arrays, optional
@@ -114,16 +114,16 @@ class _Local(Protocol):
             - [3:6] velocity (m/s, frame l, range [-1e9, 1e9])
             - [6:9] acceleration (m/s^2, frame l, range [-1e9, 1e9])
             - [9:13] attitude (map b -> l, unit quaternion w x y z)
-            - [13:16] angular_rate (rad/s, frame b, range [-1e9, 1e9])
-            - [16:19] angular_acceleration (rad/s^2, frame b, range [-1e9, 1e9])
+            - [13:16] angular_rate (rad/s, frame l, range [-1e9, 1e9])
+            - [16:19] angular_acceleration (rad/s^2, frame l, range [-1e9, 1e9])
             - [19:22] antenna (m, frame b, range [-50, 50])
         y : array_like, shape (..., 22)
             - [0:3] position (m, frame l, range [-1e6, 1e6])
             - [3:6] velocity (m/s, frame l, range [-1e9, 1e9])
             - [6:9] acceleration (m/s^2, frame l, range [-1e9, 1e9])
             - [9:13] attitude (map b -> l, unit quaternion w x y z)
-            - [13:16] angular_rate (rad/s, frame b, range [-1e9, 1e9])
-            - [16:19] angular_acceleration (rad/s^2, frame b, range [-1e9, 1e9])
+            - [13:16] angular_rate (rad/s, frame l, range [-1e9, 1e9])
+            - [16:19] angular_acceleration (rad/s^2, frame l, range [-1e9, 1e9])
             - [19:22] antenna (m, frame b, range [-50, 50])
         out : LocalResult, tuple or dict of arrays, optional
             Contiguous arrays to write to instead of new ones; what fails stays untouched.
@@ -194,8 +194,8 @@ class _Gps(Protocol):
             - [3:6] velocity (m/s, frame l, not read)
             - [6:9] acceleration (m/s^2, frame l, not read)
             - [9:13] attitude (map b -> l, unit quaternion w x y z)
-            - [13:16] angular_rate (rad/s, frame b, not read)
-            - [16:19] angular_acceleration (rad/s^2, frame b, not read)
+            - [13:16] angular_rate (rad/s, frame l, not read)
+            - [16:19] angular_acceleration (rad/s^2, frame l, not read)
             - [19:22] antenna (m, frame b, range [-50, 50])
         measured : array_like, shape (..., 3)
             Measured value; m, frame l, range [-1e9, 1e9]; elements x y z.
@@ -294,8 +294,8 @@ class _Gps_Known_Antenna(Protocol):
             - [3:6] velocity (m/s, frame l, not read)
             - [6:9] acceleration (m/s^2, frame l, not read)
             - [9:13] attitude (map b -> l, unit quaternion w x y z)
-            - [13:16] angular_rate (rad/s, frame b, not read)
-            - [16:19] angular_acceleration (rad/s^2, frame b, not read)
+            - [13:16] angular_rate (rad/s, frame l, not read)
+            - [16:19] angular_acceleration (rad/s^2, frame l, not read)
             - [19:22] antenna (m, frame b, not read)
         lever_arm : array_like, shape (..., 3)
             Antenna from the body origin, in the body frame; m, frame b, range [-100, 100]; elements

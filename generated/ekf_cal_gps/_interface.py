@@ -82,7 +82,7 @@ _STATE = Argument(
             1e-05,
         ),
         Domain(
-            "angular_rate", 13, 3, Kind.REAL, (-1e9,) * 3, (1e9,) * 3, "rad/s", "b", ("x", "y", "z")
+            "angular_rate", 13, 3, Kind.REAL, (-1e9,) * 3, (1e9,) * 3, "rad/s", "l", ("x", "y", "z")
         ),
         Domain(
             "angular_acceleration",
@@ -92,7 +92,7 @@ _STATE = Argument(
             (-1e9,) * 3,
             (1e9,) * 3,
             "rad/s^2",
-            "b",
+            "l",
             ("x", "y", "z"),
         ),
         Domain("antenna", 19, 3, Kind.REAL, (-5e1,) * 3, (5e1,) * 3, "m", "b", ("x", "y", "z")),
@@ -113,16 +113,16 @@ RETRACT = Signature(
         - [3:6] velocity (m/s, frame l, range [-1e9, 1e9])
         - [6:9] acceleration (m/s^2, frame l, range [-1e9, 1e9])
         - [9:13] attitude (map b -> l, unit quaternion w x y z)
-        - [13:16] angular_rate (rad/s, frame b, range [-1e9, 1e9])
-        - [16:19] angular_acceleration (rad/s^2, frame b, range [-1e9, 1e9])
+        - [13:16] angular_rate (rad/s, frame l, range [-1e9, 1e9])
+        - [16:19] angular_acceleration (rad/s^2, frame l, range [-1e9, 1e9])
         - [19:22] antenna (m, frame b, range [-50, 50])
     d : array_like, shape (..., 21)
         - [0:3] position (m, frame l, range [-1e9, 1e9]): Error of position
         - [3:6] velocity (m/s, frame l, range [-1e9, 1e9]): Error of velocity
         - [6:9] acceleration (m/s^2, frame l, range [-1e9, 1e9]): Error of acceleration
         - [9:12] attitude (rad, frame b, range [-6, 6]): Error of attitude
-        - [12:15] angular_rate (rad/s, frame b, range [-1e9, 1e9]): Error of angular_rate
-        - [15:18] angular_acceleration (rad/s^2, frame b, range [-1e9, 1e9]): Error of
+        - [12:15] angular_rate (rad/s, frame l, range [-1e9, 1e9]): Error of angular_rate
+        - [15:18] angular_acceleration (rad/s^2, frame l, range [-1e9, 1e9]): Error of
           angular_acceleration
         - [18:21] antenna (m, frame b, range [-1e9, 1e9]): Error of antenna
     out : RetractResult, tuple or dict of arrays, optional
@@ -198,7 +198,7 @@ RETRACT = Signature(
                     (-1e9,) * 3,
                     (1e9,) * 3,
                     "rad/s",
-                    "b",
+                    "l",
                     ("x", "y", "z"),
                 ),
                 Domain(
@@ -209,7 +209,7 @@ RETRACT = Signature(
                     (-1e9,) * 3,
                     (1e9,) * 3,
                     "rad/s^2",
-                    "b",
+                    "l",
                     ("x", "y", "z"),
                 ),
                 Domain(
@@ -235,16 +235,16 @@ LOCAL = Signature(
         - [3:6] velocity (m/s, frame l, range [-1e9, 1e9])
         - [6:9] acceleration (m/s^2, frame l, range [-1e9, 1e9])
         - [9:13] attitude (map b -> l, unit quaternion w x y z)
-        - [13:16] angular_rate (rad/s, frame b, range [-1e9, 1e9])
-        - [16:19] angular_acceleration (rad/s^2, frame b, range [-1e9, 1e9])
+        - [13:16] angular_rate (rad/s, frame l, range [-1e9, 1e9])
+        - [16:19] angular_acceleration (rad/s^2, frame l, range [-1e9, 1e9])
         - [19:22] antenna (m, frame b, range [-50, 50])
     y : array_like, shape (..., 22)
         - [0:3] position (m, frame l, range [-1e6, 1e6])
         - [3:6] velocity (m/s, frame l, range [-1e9, 1e9])
         - [6:9] acceleration (m/s^2, frame l, range [-1e9, 1e9])
         - [9:13] attitude (map b -> l, unit quaternion w x y z)
-        - [13:16] angular_rate (rad/s, frame b, range [-1e9, 1e9])
-        - [16:19] angular_acceleration (rad/s^2, frame b, range [-1e9, 1e9])
+        - [13:16] angular_rate (rad/s, frame l, range [-1e9, 1e9])
+        - [16:19] angular_acceleration (rad/s^2, frame l, range [-1e9, 1e9])
         - [19:22] antenna (m, frame b, range [-50, 50])
     out : LocalResult, tuple or dict of arrays, optional
         Contiguous arrays to write to instead of new ones; what fails stays untouched.
@@ -320,7 +320,7 @@ LOCAL = Signature(
                     (-1e9,) * 3,
                     (1e9,) * 3,
                     "rad/s",
-                    "b",
+                    "l",
                     ("x", "y", "z"),
                 ),
                 Domain(
@@ -331,7 +331,7 @@ LOCAL = Signature(
                     (-1e9,) * 3,
                     (1e9,) * 3,
                     "rad/s^2",
-                    "b",
+                    "l",
                     ("x", "y", "z"),
                 ),
                 Domain(
@@ -357,8 +357,8 @@ GPS = Signature(
         - [3:6] velocity (m/s, frame l, not read)
         - [6:9] acceleration (m/s^2, frame l, not read)
         - [9:13] attitude (map b -> l, unit quaternion w x y z)
-        - [13:16] angular_rate (rad/s, frame b, not read)
-        - [16:19] angular_acceleration (rad/s^2, frame b, not read)
+        - [13:16] angular_rate (rad/s, frame l, not read)
+        - [16:19] angular_acceleration (rad/s^2, frame l, not read)
         - [19:22] antenna (m, frame b, range [-50, 50])
     measured : array_like, shape (..., 3)
         Measured value; m, frame l, range [-1e9, 1e9]; elements x y z.
@@ -444,7 +444,7 @@ GPS = Signature(
                     (-1e9,) * 3,
                     (1e9,) * 3,
                     "rad/s",
-                    "b",
+                    "l",
                     ("x", "y", "z"),
                 ),
                 Domain(
@@ -455,7 +455,7 @@ GPS = Signature(
                     (-1e9,) * 3,
                     (1e9,) * 3,
                     "rad/s^2",
-                    "b",
+                    "l",
                     ("x", "y", "z"),
                 ),
                 Domain(
@@ -498,8 +498,8 @@ GPS_KNOWN_ANTENNA = Signature(
         - [3:6] velocity (m/s, frame l, not read)
         - [6:9] acceleration (m/s^2, frame l, not read)
         - [9:13] attitude (map b -> l, unit quaternion w x y z)
-        - [13:16] angular_rate (rad/s, frame b, not read)
-        - [16:19] angular_acceleration (rad/s^2, frame b, not read)
+        - [13:16] angular_rate (rad/s, frame l, not read)
+        - [16:19] angular_acceleration (rad/s^2, frame l, not read)
         - [19:22] antenna (m, frame b, not read)
     lever_arm : array_like, shape (..., 3)
         Antenna from the body origin, in the body frame; m, frame b, range [-100, 100]; elements
@@ -588,7 +588,7 @@ GPS_KNOWN_ANTENNA = Signature(
                     (-1e9,) * 3,
                     (1e9,) * 3,
                     "rad/s",
-                    "b",
+                    "l",
                     ("x", "y", "z"),
                 ),
                 Domain(
@@ -599,7 +599,7 @@ GPS_KNOWN_ANTENNA = Signature(
                     (-1e9,) * 3,
                     (1e9,) * 3,
                     "rad/s^2",
-                    "b",
+                    "l",
                     ("x", "y", "z"),
                 ),
                 Domain(
@@ -832,22 +832,22 @@ _BLOCKS = (
         "angular_rate",
         ("x", "y", "z"),
         "rad/s",
-        "b",
+        "l",
         (0.0,) * 3,
         ("x", "y", "z"),
         "rad/s",
-        "b",
+        "l",
         "additive, true minus estimate",
     ),
     Block(
         "angular_acceleration",
         ("x", "y", "z"),
         "rad/s^2",
-        "b",
+        "l",
         (0.0,) * 3,
         ("x", "y", "z"),
         "rad/s^2",
-        "b",
+        "l",
         "additive, true minus estimate",
     ),
     Block(
@@ -863,4 +863,4 @@ _BLOCKS = (
     ),
 )
 
-_DIGEST = "df71345e91c6b26b8abd953783e0cc011f337f43e0452710c2c616d926edfc0e"
+_DIGEST = "d35bc63c37004baad9edaf5440932e1eea55317ef5a31ddbb9c170f3ec3b7a49"

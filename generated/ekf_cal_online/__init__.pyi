@@ -37,8 +37,8 @@ class _Retract(Protocol):
             - [3:6] velocity (m/s, frame l, range [-1e9, 1e9])
             - [6:9] acceleration (m/s^2, frame l, range [-1e9, 1e9])
             - [9:13] attitude (map b -> l, unit quaternion w x y z)
-            - [13:16] angular_rate (rad/s, frame b, range [-1e9, 1e9])
-            - [16:19] angular_acceleration (rad/s^2, frame b, range [-1e9, 1e9])
+            - [13:16] angular_rate (rad/s, frame l, range [-1e9, 1e9])
+            - [16:19] angular_acceleration (rad/s^2, frame l, range [-1e9, 1e9])
             - [19] heading (rad, map g -> l, range [-3.14159, 3.14159])
             - [20:23] antenna_1 (m, frame b, range [-50, 50])
             - [23:26] antenna_2 (m, frame b, range [-50, 50])
@@ -47,8 +47,8 @@ class _Retract(Protocol):
             - [3:6] velocity (m/s, frame l, range [-1e9, 1e9]): Error of velocity
             - [6:9] acceleration (m/s^2, frame l, range [-1e9, 1e9]): Error of acceleration
             - [9:12] attitude (rad, frame b, range [-6, 6]): Error of attitude
-            - [12:15] angular_rate (rad/s, frame b, range [-1e9, 1e9]): Error of angular_rate
-            - [15:18] angular_acceleration (rad/s^2, frame b, range [-1e9, 1e9]): Error of
+            - [12:15] angular_rate (rad/s, frame l, range [-1e9, 1e9]): Error of angular_rate
+            - [15:18] angular_acceleration (rad/s^2, frame l, range [-1e9, 1e9]): Error of
               angular_acceleration
             - [18] heading (rad, range [-6, 6]): Error of heading
             - [19:22] antenna_1 (m, frame b, range [-1e9, 1e9]): Error of antenna_1
@@ -118,8 +118,8 @@ class _Local(Protocol):
             - [3:6] velocity (m/s, frame l, range [-1e9, 1e9])
             - [6:9] acceleration (m/s^2, frame l, range [-1e9, 1e9])
             - [9:13] attitude (map b -> l, unit quaternion w x y z)
-            - [13:16] angular_rate (rad/s, frame b, range [-1e9, 1e9])
-            - [16:19] angular_acceleration (rad/s^2, frame b, range [-1e9, 1e9])
+            - [13:16] angular_rate (rad/s, frame l, range [-1e9, 1e9])
+            - [16:19] angular_acceleration (rad/s^2, frame l, range [-1e9, 1e9])
             - [19] heading (rad, map g -> l, range [-3.14159, 3.14159])
             - [20:23] antenna_1 (m, frame b, range [-50, 50])
             - [23:26] antenna_2 (m, frame b, range [-50, 50])
@@ -128,8 +128,8 @@ class _Local(Protocol):
             - [3:6] velocity (m/s, frame l, range [-1e9, 1e9])
             - [6:9] acceleration (m/s^2, frame l, range [-1e9, 1e9])
             - [9:13] attitude (map b -> l, unit quaternion w x y z)
-            - [13:16] angular_rate (rad/s, frame b, range [-1e9, 1e9])
-            - [16:19] angular_acceleration (rad/s^2, frame b, range [-1e9, 1e9])
+            - [13:16] angular_rate (rad/s, frame l, range [-1e9, 1e9])
+            - [16:19] angular_acceleration (rad/s^2, frame l, range [-1e9, 1e9])
             - [19] heading (rad, map g -> l, range [-3.14159, 3.14159])
             - [20:23] antenna_1 (m, frame b, range [-50, 50])
             - [23:26] antenna_2 (m, frame b, range [-50, 50])
@@ -206,8 +206,8 @@ class _Gps_1(Protocol):
             - [3:6] velocity (m/s, frame l, not read)
             - [6:9] acceleration (m/s^2, frame l, not read)
             - [9:13] attitude (map b -> l, unit quaternion w x y z)
-            - [13:16] angular_rate (rad/s, frame b, not read)
-            - [16:19] angular_acceleration (rad/s^2, frame b, not read)
+            - [13:16] angular_rate (rad/s, frame l, not read)
+            - [16:19] angular_acceleration (rad/s^2, frame l, not read)
             - [19] heading (rad, map g -> l, range [-3.14159, 3.14159])
             - [20:23] antenna_1 (m, frame b, range [-50, 50])
             - [23:26] antenna_2 (m, frame b, not read)
@@ -321,8 +321,8 @@ class _Gps_2(Protocol):
             - [3:6] velocity (m/s, frame l, not read)
             - [6:9] acceleration (m/s^2, frame l, not read)
             - [9:13] attitude (map b -> l, unit quaternion w x y z)
-            - [13:16] angular_rate (rad/s, frame b, not read)
-            - [16:19] angular_acceleration (rad/s^2, frame b, not read)
+            - [13:16] angular_rate (rad/s, frame l, not read)
+            - [16:19] angular_acceleration (rad/s^2, frame l, not read)
             - [19] heading (rad, map g -> l, range [-3.14159, 3.14159])
             - [20:23] antenna_1 (m, frame b, not read)
             - [23:26] antenna_2 (m, frame b, range [-50, 50])

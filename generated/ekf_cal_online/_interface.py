@@ -74,7 +74,7 @@ _STATE = Argument(
             1e-05,
         ),
         Domain(
-            "angular_rate", 13, 3, Kind.REAL, (-1e9,) * 3, (1e9,) * 3, "rad/s", "b", ("x", "y", "z")
+            "angular_rate", 13, 3, Kind.REAL, (-1e9,) * 3, (1e9,) * 3, "rad/s", "l", ("x", "y", "z")
         ),
         Domain(
             "angular_acceleration",
@@ -84,7 +84,7 @@ _STATE = Argument(
             (-1e9,) * 3,
             (1e9,) * 3,
             "rad/s^2",
-            "b",
+            "l",
             ("x", "y", "z"),
         ),
         Domain(
@@ -117,8 +117,8 @@ RETRACT = Signature(
         - [3:6] velocity (m/s, frame l, range [-1e9, 1e9])
         - [6:9] acceleration (m/s^2, frame l, range [-1e9, 1e9])
         - [9:13] attitude (map b -> l, unit quaternion w x y z)
-        - [13:16] angular_rate (rad/s, frame b, range [-1e9, 1e9])
-        - [16:19] angular_acceleration (rad/s^2, frame b, range [-1e9, 1e9])
+        - [13:16] angular_rate (rad/s, frame l, range [-1e9, 1e9])
+        - [16:19] angular_acceleration (rad/s^2, frame l, range [-1e9, 1e9])
         - [19] heading (rad, map g -> l, range [-3.14159, 3.14159])
         - [20:23] antenna_1 (m, frame b, range [-50, 50])
         - [23:26] antenna_2 (m, frame b, range [-50, 50])
@@ -127,8 +127,8 @@ RETRACT = Signature(
         - [3:6] velocity (m/s, frame l, range [-1e9, 1e9]): Error of velocity
         - [6:9] acceleration (m/s^2, frame l, range [-1e9, 1e9]): Error of acceleration
         - [9:12] attitude (rad, frame b, range [-6, 6]): Error of attitude
-        - [12:15] angular_rate (rad/s, frame b, range [-1e9, 1e9]): Error of angular_rate
-        - [15:18] angular_acceleration (rad/s^2, frame b, range [-1e9, 1e9]): Error of
+        - [12:15] angular_rate (rad/s, frame l, range [-1e9, 1e9]): Error of angular_rate
+        - [15:18] angular_acceleration (rad/s^2, frame l, range [-1e9, 1e9]): Error of
           angular_acceleration
         - [18] heading (rad, range [-6, 6]): Error of heading
         - [19:22] antenna_1 (m, frame b, range [-1e9, 1e9]): Error of antenna_1
@@ -206,7 +206,7 @@ RETRACT = Signature(
                     (-1e9,) * 3,
                     (1e9,) * 3,
                     "rad/s",
-                    "b",
+                    "l",
                     ("x", "y", "z"),
                 ),
                 Domain(
@@ -217,7 +217,7 @@ RETRACT = Signature(
                     (-1e9,) * 3,
                     (1e9,) * 3,
                     "rad/s^2",
-                    "b",
+                    "l",
                     ("x", "y", "z"),
                 ),
                 Domain("heading", 18, 1, Kind.REAL, (-6.0,), (6.0,), "rad", "", ("",)),
@@ -263,8 +263,8 @@ LOCAL = Signature(
         - [3:6] velocity (m/s, frame l, range [-1e9, 1e9])
         - [6:9] acceleration (m/s^2, frame l, range [-1e9, 1e9])
         - [9:13] attitude (map b -> l, unit quaternion w x y z)
-        - [13:16] angular_rate (rad/s, frame b, range [-1e9, 1e9])
-        - [16:19] angular_acceleration (rad/s^2, frame b, range [-1e9, 1e9])
+        - [13:16] angular_rate (rad/s, frame l, range [-1e9, 1e9])
+        - [16:19] angular_acceleration (rad/s^2, frame l, range [-1e9, 1e9])
         - [19] heading (rad, map g -> l, range [-3.14159, 3.14159])
         - [20:23] antenna_1 (m, frame b, range [-50, 50])
         - [23:26] antenna_2 (m, frame b, range [-50, 50])
@@ -273,8 +273,8 @@ LOCAL = Signature(
         - [3:6] velocity (m/s, frame l, range [-1e9, 1e9])
         - [6:9] acceleration (m/s^2, frame l, range [-1e9, 1e9])
         - [9:13] attitude (map b -> l, unit quaternion w x y z)
-        - [13:16] angular_rate (rad/s, frame b, range [-1e9, 1e9])
-        - [16:19] angular_acceleration (rad/s^2, frame b, range [-1e9, 1e9])
+        - [13:16] angular_rate (rad/s, frame l, range [-1e9, 1e9])
+        - [16:19] angular_acceleration (rad/s^2, frame l, range [-1e9, 1e9])
         - [19] heading (rad, map g -> l, range [-3.14159, 3.14159])
         - [20:23] antenna_1 (m, frame b, range [-50, 50])
         - [23:26] antenna_2 (m, frame b, range [-50, 50])
@@ -352,7 +352,7 @@ LOCAL = Signature(
                     (-1e9,) * 3,
                     (1e9,) * 3,
                     "rad/s",
-                    "b",
+                    "l",
                     ("x", "y", "z"),
                 ),
                 Domain(
@@ -363,7 +363,7 @@ LOCAL = Signature(
                     (-1e9,) * 3,
                     (1e9,) * 3,
                     "rad/s^2",
-                    "b",
+                    "l",
                     ("x", "y", "z"),
                 ),
                 Domain(
@@ -419,8 +419,8 @@ GPS_1 = Signature(
         - [3:6] velocity (m/s, frame l, not read)
         - [6:9] acceleration (m/s^2, frame l, not read)
         - [9:13] attitude (map b -> l, unit quaternion w x y z)
-        - [13:16] angular_rate (rad/s, frame b, not read)
-        - [16:19] angular_acceleration (rad/s^2, frame b, not read)
+        - [13:16] angular_rate (rad/s, frame l, not read)
+        - [16:19] angular_acceleration (rad/s^2, frame l, not read)
         - [19] heading (rad, map g -> l, range [-3.14159, 3.14159])
         - [20:23] antenna_1 (m, frame b, range [-50, 50])
         - [23:26] antenna_2 (m, frame b, not read)
@@ -514,7 +514,7 @@ GPS_1 = Signature(
                     (-1e9,) * 3,
                     (1e9,) * 3,
                     "rad/s",
-                    "b",
+                    "l",
                     ("x", "y", "z"),
                 ),
                 Domain(
@@ -525,7 +525,7 @@ GPS_1 = Signature(
                     (-1e9,) * 3,
                     (1e9,) * 3,
                     "rad/s^2",
-                    "b",
+                    "l",
                     ("x", "y", "z"),
                 ),
                 Domain(
@@ -611,8 +611,8 @@ GPS_2 = Signature(
         - [3:6] velocity (m/s, frame l, not read)
         - [6:9] acceleration (m/s^2, frame l, not read)
         - [9:13] attitude (map b -> l, unit quaternion w x y z)
-        - [13:16] angular_rate (rad/s, frame b, not read)
-        - [16:19] angular_acceleration (rad/s^2, frame b, not read)
+        - [13:16] angular_rate (rad/s, frame l, not read)
+        - [16:19] angular_acceleration (rad/s^2, frame l, not read)
         - [19] heading (rad, map g -> l, range [-3.14159, 3.14159])
         - [20:23] antenna_1 (m, frame b, not read)
         - [23:26] antenna_2 (m, frame b, range [-50, 50])
@@ -706,7 +706,7 @@ GPS_2 = Signature(
                     (-1e9,) * 3,
                     (1e9,) * 3,
                     "rad/s",
-                    "b",
+                    "l",
                     ("x", "y", "z"),
                 ),
                 Domain(
@@ -717,7 +717,7 @@ GPS_2 = Signature(
                     (-1e9,) * 3,
                     (1e9,) * 3,
                     "rad/s^2",
-                    "b",
+                    "l",
                     ("x", "y", "z"),
                 ),
                 Domain(
@@ -853,22 +853,22 @@ _BLOCKS = (
         "angular_rate",
         ("x", "y", "z"),
         "rad/s",
-        "b",
+        "l",
         (0.0,) * 3,
         ("x", "y", "z"),
         "rad/s",
-        "b",
+        "l",
         "additive, true minus estimate",
     ),
     Block(
         "angular_acceleration",
         ("x", "y", "z"),
         "rad/s^2",
-        "b",
+        "l",
         (0.0,) * 3,
         ("x", "y", "z"),
         "rad/s^2",
-        "b",
+        "l",
         "additive, true minus estimate",
     ),
     Block(
@@ -906,4 +906,4 @@ _BLOCKS = (
     ),
 )
 
-_DIGEST = "32f4a883b54240387af6bd18a372e285d4a150ca82b316c80ec690f52ab6d594"
+_DIGEST = "a8da36e2ef804937e0c071f6e4dace8e67034dc02302631bf8785f75962fb492"

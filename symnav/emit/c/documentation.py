@@ -140,8 +140,10 @@ def _possible(
         possible.add(ir.Status.COUNT)
     if "reference" in names:
         possible.add(ir.Status.INDEX)
-    if "x" in names:
+    if names & {argument.name for argument in function.arguments}:
         possible |= _numerical(function)
+    elif function.guarded and "sigma" in names:
+        possible.add(ir.Status.RANGE)
     if "item_status" in names and function.items is ir.Items.SKIP:
         possible.add(ir.Status.PARTIAL)
     return sorted(possible)

@@ -463,8 +463,9 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_difference_
  * @param[in]   sigma       [n] Standard deviations of the items; range 0 to 1e+150.
  * @param[out]  covariance  [n - 1 x n - 1] Covariance of the differences; every element off the
  *                          diagonal is the variance of the reference.
- * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
- *         epochs is negative or above the maximum), INDEX (an index does not name an item).
+ * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
+ *         outside its declared range), COUNT (a number of items or epochs is negative or above the
+ *         maximum), INDEX (an index does not name an item).
  */
 farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_difference_covariance(
     int32_t n,
@@ -797,8 +798,9 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_lever_arm_d
  * @param[in]   sigma       [n] Standard deviations of the items; range 0 to 1e+150.
  * @param[out]  covariance  [n - 1 x n - 1] Covariance of the differences; every element off the
  *                          diagonal is the variance of the reference.
- * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
- *         epochs is negative or above the maximum), INDEX (an index does not name an item).
+ * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
+ *         outside its declared range), COUNT (a number of items or epochs is negative or above the
+ *         maximum), INDEX (an index does not name an item).
  */
 farrell_tightly_coupled_status_t
     farrell_tightly_coupled_pseudorange_lever_arm_difference_covariance(

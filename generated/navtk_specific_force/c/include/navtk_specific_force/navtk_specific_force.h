@@ -216,7 +216,9 @@ static const int32_t navtk_specific_force_calc_force_jacobian_dt_columns[3] = {
  * @param[out]  jacobian_delta_theta     [3 x 3] Derivative of the value by delta_theta, by row.
  * @param[out]  jacobian_delta_velocity  [3 x 3] Derivative of the value by delta_velocity, by row.
  * @param[out]  jacobian_dt              [3 x 1] Derivative of the value by dt, by row.
- * @return OK (every output was written), NULL (a pointer is null).
+ * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
+ *         orthonormal).
  */
 navtk_specific_force_status_t navtk_specific_force_calc_force(
     const navtk_specific_force_real_t dcm[NAVTK_SPECIFIC_FORCE_RESTRICT 9],
@@ -242,7 +244,9 @@ navtk_specific_force_status_t navtk_specific_force_calc_force(
  *                              -50 to 50.
  * @param[in]   dt              [1] s: Length of the interval; range 1e-05 to 0.05.
  * @param[out]  value           [3] m/s^2 in n: Value of the equation.
- * @return OK (every output was written), NULL (a pointer is null).
+ * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
+ *         orthonormal).
  */
 navtk_specific_force_status_t navtk_specific_force_calc_force_value(
     const navtk_specific_force_real_t dcm[NAVTK_SPECIFIC_FORCE_RESTRICT 9],
@@ -267,7 +271,9 @@ navtk_specific_force_status_t navtk_specific_force_calc_force_value(
  * @param[out]  jacobian_delta_theta     [3 x 3] Derivative of the value by delta_theta, by row.
  * @param[out]  jacobian_delta_velocity  [3 x 3] Derivative of the value by delta_velocity, by row.
  * @param[out]  jacobian_dt              [3 x 1] Derivative of the value by dt, by row.
- * @return OK (every output was written), NULL (a pointer is null).
+ * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
+ *         orthonormal).
  */
 navtk_specific_force_status_t navtk_specific_force_calc_force_jacobian(
     const navtk_specific_force_real_t dcm[NAVTK_SPECIFIC_FORCE_RESTRICT 9],
@@ -301,7 +307,9 @@ navtk_specific_force_status_t navtk_specific_force_calc_force_jacobian(
  *                                          in the order of the tables.
  * @param[out]  jacobian_dt_nz              The 3 structural non-zeros of jacobian_dt, in the order
  *                                          of the tables.
- * @return OK (every output was written), NULL (a pointer is null).
+ * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
+ *         orthonormal).
  */
 navtk_specific_force_status_t navtk_specific_force_calc_force_nz(
     const navtk_specific_force_real_t dcm[NAVTK_SPECIFIC_FORCE_RESTRICT 9],

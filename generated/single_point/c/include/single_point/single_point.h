@@ -605,7 +605,8 @@ single_point_status_t single_point_pseudorange_without_sagnac_batch(
  * @param[out]  clock                   s: Clock.
  * @param[out]  velocity                [3] m/s: Velocity.
  * @param[out]  clock_rate              Clock rate.
- * @return OK (every output was written), NULL (a pointer is null).
+ * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
+ *         outside its declared range).
  */
 single_point_status_t single_point_broadcast_orbit(
     const single_point_real_t time_2[SINGLE_POINT_RESTRICT 1],

@@ -630,7 +630,9 @@ warpos_gps_status_t warpos_gps_observed_by_column_batch(
  * @param[in]   covariance_2       [9] m^2: Covariance of the fix, row-major; range -1e+12 to 1e+12.
  * @param[out]  value              [3] m in f: Value of the equation.
  * @param[out]  value_covariance   [9] m^2: Covariance of the value, row-major.
- * @return OK (every output was written), NULL (a pointer is null).
+ * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
+ *         orthonormal).
  */
 warpos_gps_status_t warpos_gps_to_state_frame(
     const warpos_gps_real_t observer_attitude[WARPOS_GPS_RESTRICT 4],
