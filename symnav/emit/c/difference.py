@@ -120,7 +120,9 @@ def _source(mapped: Mapped, entries: Mapping[str, EntryPoint]) -> str:
         lanes_macro=mapped.lanes_macro,
         block=f"{kernel.local}_block_t",
         routines=[s.differencing() for s in stores_of(kernel, per_item, Use.DIFFERENCED)],
+        fallible=mapped.fallible,
         rejects=mapped.rejects,
+        skips=mapped.skips,
         inner_head=head(f"static {target.status}", inner, declarations),
         prologue=mapped.prologue(),
         check_call=call(
@@ -135,7 +137,7 @@ def _source(mapped: Mapped, entries: Mapping[str, EntryPoint]) -> str:
         base_call=comments.code(mapped.lanes_call("", "reference", "1", "base"), depth=2),
         lanes_call=comments.code(mapped.lanes_call("", "first", "count", "block"), depth=3),
         common=mapped.statements(mapped.common_fills(outputs, Use.DIFFERENCED), 2),
-        differences=mapped.statements(differences, 5 if mapped.rejects else 6),
+        differences=mapped.statements(differences, 6 if mapped.skips else 5),
         clears=mapped.statements(mapped.clears(outputs, Use.DIFFERENCED, "row"), 6),
         head=entry.prototype(target.status),
         pointers=comments.code(f"if ({entry.pointers}) {{"),

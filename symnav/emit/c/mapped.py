@@ -36,9 +36,20 @@ class Mapped:
         return f"{self.kernel.symbol.upper()}_LANES"
 
     @property
+    def fallible(self) -> bool:
+        """True when an item can fail: something about it is checked."""
+        function = self.kernel.function
+        return function.guarded or any(a.integer for a in function.arguments if a.item)
+
+    @property
     def rejects(self) -> bool:
         """True when one bad item fails the call."""
-        return self.kernel.function.items is ir.Items.REJECT
+        return self.fallible and self.kernel.function.items is ir.Items.REJECT
+
+    @property
+    def skips(self) -> bool:
+        """True when a bad item has a row of zeros."""
+        return self.fallible and not self.rejects
 
     def entry_points(self) -> list[EntryPoint]:
         """Public symbols in the order of the header."""
@@ -81,7 +92,9 @@ class Mapped:
             lanes_macro=self.lanes_macro,
             block=self._block(),
             routines=self._routines(),
+            fallible=self.fallible,
             rejects=self.rejects,
+            skips=self.skips,
             check=self._check() if self.rejects else None,
             lanes_routines=[self._lanes(suffix, outputs) for suffix, _, outputs in kinds],
             prologue=self.prologue(),
@@ -203,7 +216,8 @@ class Mapped:
             Field("int32_t", kernel.inputs.table[slot].field, self.lanes_macro)
             for slot in self._item_slots
         ]
-        fields.append(Field("flag_t", "status", self.lanes_macro))
+        if self.fallible:
+            fields.append(Field("flag_t", "status", self.lanes_macro))
         brief = "Non-zeros of a block of items, each stored contiguously across the items."
         return Struct(f"{kernel.local}_block_t", brief, tuple(fields))
 
@@ -222,8 +236,7 @@ class Mapped:
             for use in uses
             for store in stores_of(kernel, self._per_item(function.outputs), use)
         }
-        keeps_clears = not self.rejects
-        return [*puts, *fills.values(), *(clears.values() if keeps_clears else ())]
+        return [*puts, *fills.values(), *(clears.values() if self.skips else ())]
 
     def _loop_head(self, name: str, result: str, last: Sequence[str]) -> tuple[str, ...]:
         """Head of a function that loops over items."""
@@ -257,9 +270,13 @@ class Mapped:
                 *([f"{item.name} {ITEM_POINTER};"] if item else []),
                 f"{kernel.output_struct.name} {OUTPUT_POINTER};",
             ],
-            "load": comments.code(f"const flag_t loaded = {load};", depth=2),
-            "evaluate": comments.code(f"const flag_t evaluated = {evaluate};", depth=2),
+            "load": comments.code(f"{self._kept('loaded')}{load};", depth=2),
+            "evaluate": comments.code(f"{self._kept('evaluated')}{evaluate};", depth=2),
         }
+
+    def _kept(self, name: str) -> str:
+        """What stands in front of a call whose verdict matters only where items can fail."""
+        return f"const flag_t {name} = " if self.fallible else "(void)"
 
     def _lanes(self, suffix: str, outputs: Sequence[ir.Output]) -> dict[str, object]:
         kernel = self.kernel
@@ -318,7 +335,7 @@ class Mapped:
             "head": head(f"static {self.kernel.target.status}", name, declarations),
             "lanes": comments.code(self.lanes_call(suffix, "first", "count", "block"), depth=3),
             "common": self.statements(self.common_fills(outputs, use), 2),
-            "fills": self.statements(self.fills(outputs, use, "i"), 4 if self.rejects else 5),
+            "fills": self.statements(self.fills(outputs, use, "i"), 5 if self.skips else 4),
             "clears": self.statements(self.clears(outputs, use, "i"), 5),
         }
 
@@ -345,19 +362,21 @@ class Mapped:
             if parameter.direction == "out"
             and parameter.name.removesuffix("_nz") in {store.output.name for store in stores}
         ]
-        codes = f"flag_t codes[{kernel.target.macro}_RESTRICT]"
+        codes = [f"flag_t codes[{kernel.target.macro}_RESTRICT]"] if self.fallible else []
         name = f"{kernel.local}_columns"
         passed = [
             *self.context(address=True),
             "n",
             *(argument.name for argument in self._item_arguments),
             *(_column_name(store.output) for store in stores),
-            "codes",
+            *(["codes"] if self.fallible else []),
         ]
         return {
             "head": entry.prototype(kernel.target.status),
             "pointers": comments.code(f"if ({entry.pointers}) {{"),
-            "loop_head": self._loop_head(name, "static void", [*parameters, codes]),
+            "loop_head": self._loop_head(
+                name, f"{kernel.target.macro}_INLINE void", [*parameters, *codes]
+            ),
             **self._evaluation("i"),
             "stores": self.statements((self._column_store(s, limit) for s in stores), 2),
             "call": comments.code(call(name, passed) + ";", depth=4),

@@ -428,7 +428,7 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_jacobian(
 }
 
 /* Non-zeros straight into the caller's columns, neighbouring items in one vector register. */
-static void pseudorange_columns(
+FARRELL_TIGHTLY_COUPLED_INLINE void pseudorange_columns(
     const pseudorange_input_t *FARRELL_TIGHTLY_COUPLED_RESTRICT in,
     const pseudorange_shared_t *FARRELL_TIGHTLY_COUPLED_RESTRICT shared,
     int32_t count,

@@ -439,7 +439,7 @@ rover_status_t rover_range_jacobian(
 }
 
 /* Non-zeros straight into the caller's columns, neighbouring items in one vector register. */
-static void range_columns(
+ROVER_INLINE void range_columns(
     const range_input_t *ROVER_RESTRICT in,
     const range_shared_t *ROVER_RESTRICT shared,
     int32_t count,

@@ -374,7 +374,7 @@ single_point_status_t single_point_pseudorange_jacobian(
 }
 
 /* Non-zeros straight into the caller's columns, neighbouring items in one vector register. */
-static void pseudorange_columns(
+SINGLE_POINT_INLINE void pseudorange_columns(
     const pseudorange_input_t *SINGLE_POINT_RESTRICT in,
     int32_t count,
     const single_point_real_t satellite_position[SINGLE_POINT_RESTRICT],
