@@ -34,7 +34,12 @@ def jacobian(
     edges = _reachable_edges(graph, value)
     inner = [name for name in graph.vertices if name in edges and graph.vertices[name].partials]
     # Forward, backward, and (None) always the vertex that makes the fewest products next.
-    trials = [_eliminate(graph, edges, order) for order in (inner, inner[::-1], None)]
+    orders = (inner, inner[::-1], None)
+    trials = [
+        _eliminate(graph, edges, order, names_multiples=names)
+        for names in (False, True)
+        for order in orders
+    ]
     best = min(trials, key=lambda trial: trial.cost)
     graph.adopt(best.definitions)
     return {
@@ -60,10 +65,14 @@ def _reachable_edges(graph: Graph, value: Sequence[sp.Expr]) -> dict[str, dict[s
 
 @dataclass
 class _Trial:
-    """One elimination: the edges left, the names given and what they cost."""
+    """One elimination: the edges left, the names given and what they cost.
+
+    ``names_multiples`` gives a number times a symbol a name, so that it is multiplied once.
+    """
 
     graph: Graph
     edges: dict[str, dict[str, Matrix]]
+    names_multiples: bool
     definitions: list[Definition] = field(default_factory=list)
     cost: int = 0
     _known: dict[sp.Expr, sp.Expr] = field(default_factory=dict)
@@ -72,7 +81,7 @@ class _Trial:
 
     def atom(self, name: str, expression: sp.Expr) -> sp.Expr:
         """The expression itself when it is as good as a symbol, otherwise its name."""
-        if _is_atomic(expression):
+        if _is_atomic(expression) and not (self.names_multiples and _is_multiple(expression)):
             return expression
         if expression in self._known:
             return self._known[expression]
@@ -89,9 +98,13 @@ class _Trial:
 
 
 def _eliminate(
-    graph: Graph, edges: Mapping[str, Mapping[str, Matrix]], order: Sequence[str] | None
+    graph: Graph,
+    edges: Mapping[str, Mapping[str, Matrix]],
+    order: Sequence[str] | None,
+    *,
+    names_multiples: bool,
 ) -> _Trial:
-    trial = _Trial(graph, {name: dict(parents) for name, parents in edges.items()})
+    trial = _Trial(graph, {name: dict(parents) for name, parents in edges.items()}, names_multiples)
     trial._known.update({d.expression: d.symbol for d in graph.definitions})
     for name, parents in trial.edges.items():
         for parent, matrix in parents.items():
@@ -146,10 +159,19 @@ def _name_entries(trial: _Trial, child: str, parent: str, matrix: Matrix) -> Mat
     stem = f"{_label(child)}_by_{_label(parent)}"
     rows = element_names("", len(matrix)) if len(matrix) > 1 else ("",)
     columns = element_names("", len(matrix[0])) if len(matrix[0]) > 1 else ("",)
-    return tuple(
-        tuple(trial.atom(f"{stem}{r}{c}", e) for c, e in zip(columns, row, strict=True))
-        for r, row in zip(rows, matrix, strict=True)
-    )
+    places = [(i, j) for i in range(len(rows)) for j in range(len(columns))]
+    if len(rows) == len(columns) == 3:
+        places = [*_CYCLIC, *(place for place in places if place not in _CYCLIC)]
+    named = {(i, j): trial.atom(f"{stem}{rows[i]}{columns[j]}", matrix[i][j]) for i, j in places}
+    return tuple(tuple(named[i, j] for j in range(len(columns))) for i in range(len(rows)))
+
+
+_CYCLIC = ((2, 1), (0, 2), (1, 0))
+"""Where the cross-product matrix [h]x holds +h_x, +h_y and +h_z.
+
+Named first, the elements of a product with such a matrix are differences of the same form, row
+after row: easier to check against the equation, and the compiler can compute several at once.
+"""
 
 
 def _label(vertex: str) -> str:
@@ -159,10 +181,23 @@ def _label(vertex: str) -> str:
 
 
 def _is_atomic(e: sp.Expr) -> bool:
-    """A number, a symbol, or a number times a symbol."""
-    if e.is_Symbol or e.is_number:
+    """A number, a symbol, a number times a symbol, or a symbol over another.
+
+    What is over a symbol stays without a name, so that a later product can cancel the divisor:
+    an interval that a bias is multiplied by and a force divided by leaves no trace.
+    """
+    if e.is_number:
         return True
-    return bool(e.is_Mul and len(e.args) == 2 and e.args[0].is_number and e.args[1].is_Symbol)
+    factors = [f for f in sp.Mul.make_args(e) if not f.is_number]
+    above = sum(1 for f in factors if f.is_Symbol)
+    below = sum(1 for f in factors if f.is_Pow and f.exp == -1 and f.base.is_Symbol)
+    return above <= 1 and below <= 1 and above + below == len(factors)
+
+
+def _is_multiple(e: sp.Expr) -> bool:
+    """A number other than one and minus one times a symbol."""
+    number, rest = e.as_coeff_Mul()
+    return bool(rest.is_Symbol and number not in (1, -1))
 
 
 def operations(expression: sp.Expr) -> int:

@@ -308,10 +308,16 @@ def elementwise(
     return Quantity(argument.graph, elements, unit)
 
 
-def reciprocal(name: str, scalar: Quantity) -> Quantity:
-    """1 / scalar, named, for a scalar whose declared range excludes zero (checked at binding)."""
-    unit = units.ONE / scalar.unit
-    return elementwise(name, lambda element: 1 / element, scalar, unit)
+def over(numerator: Quantity, scalar: Quantity) -> Quantity:
+    """Numerator / scalar, for a scalar whose declared range excludes zero (checked at binding).
+
+    The quotient keeps the divisor in sight, so that derivatives can cancel it.
+    """
+    if scalar.size != 1:
+        raise EquationError(f"{numerator.describe()} cannot be divided by {scalar.describe()}")
+    divisor = _named(scalar, "divisor").elements[0]
+    elements = tuple(element / divisor for element in numerator.elements)
+    return replace(numerator, elements=elements, unit=numerator.unit / scalar.unit)
 
 
 def divide(name: str, numerator: Quantity, denominator: Quantity) -> Quantity:

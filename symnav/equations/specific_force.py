@@ -20,7 +20,7 @@ from symnav.quantities import (
     cross,
     dot,
     let,
-    reciprocal,
+    over,
     rotate,
     total,
 )
@@ -44,7 +44,7 @@ def specific_force(q: Bound) -> Results:
     corrected = total(velocity, *_rotation(q, theta, velocity), sculling)
     attitude = q.rotation("attitude")
     if q.options["output"] == "specific_force":
-        corrected = let("force", reciprocal("inverse_dt", q.vector("dt")) * corrected)
+        corrected = let("force", over(corrected, q.vector("dt")))
     if attitude is not None:
         corrected = rotate(attitude, let("corrected", corrected), "resolved")
     return Results({"value": corrected})
@@ -71,9 +71,7 @@ def _debiased(q: Bound, role: str, bias_role: str, count: int, name: str) -> lis
     if bias is None:
         return pieces
     dt = q.vector("dt")
-    if count > 1:
-        dt = let(f"{role}_dt", _fraction(Fraction(1, count)) * dt)
-    step = let(f"{bias_role}_step", dt * bias)
+    step = let(f"{bias_role}_step", _fraction(Fraction(1, count)) * (dt * bias))
     names = [name] if count == 1 else [f"{name}{k}" for k in range(1, count + 1)]
     return [let(label, piece - step) for label, piece in zip(names, pieces, strict=True)]
 

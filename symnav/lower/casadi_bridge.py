@@ -5,7 +5,7 @@ Numbers keep their value: a float is never truncated, a rational becomes its nea
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import reduce
 
 import casadi as ca
@@ -37,15 +37,34 @@ def _number(expression: sp.Number, table: Table) -> ca.SX:
 
 
 def _sum(expression: sp.Add, table: Table) -> ca.SX:
-    """Terms added and subtracted, a positive one first, so that no sign costs an operation."""
-    terms = [_signed(term) for term in expression.args]
-    terms.sort(key=lambda term: term[0] < 0)
-    sign, first = terms[0]
-    result = to_casadi(first, table) if sign > 0 else -to_casadi(first, table)
-    for sign, term in terms[1:]:
-        value = to_casadi(term, table)
-        result = result + value if sign > 0 else result - value
-    return result
+    """Terms added and subtracted, a positive one first, so that no sign costs an operation.
+
+    A long sum is taken in pairs, one term of each sign where there are both: differences of
+    products stand together as in a cross product, and the terms do not wait for each other.
+    """
+    signed = [_signed(term) for term in expression.args]
+    above = [to_casadi(term, table) for sign, term in signed if sign > 0]
+    below = [to_casadi(term, table) for sign, term in signed if sign < 0]
+    if not above:
+        return -_total(below)
+    if len(signed) <= LONGEST_CHAIN:
+        return reduce(lambda a, b: a - b, below, _total(above))
+    pairs = min(len(above), len(below))
+    paired = [a - b for a, b in zip(above[-pairs:], below, strict=False)] if pairs else []
+    total = _total([*above[: len(above) - pairs], *paired])
+    return total - _total(below[pairs:]) if len(below) > pairs else total
+
+
+LONGEST_CHAIN = 3
+"""Most terms that are added one after another."""
+
+
+def _total(terms: Sequence[ca.SX]) -> ca.SX:
+    """The sum of terms: a short one from the left, a long one by halves."""
+    if len(terms) <= LONGEST_CHAIN:
+        return reduce(lambda a, b: a + b, terms)
+    half = (len(terms) + 1) // 2
+    return _total(terms[:half]) + _total(terms[half:])
 
 
 def _signed(term: sp.Expr) -> tuple[int, sp.Expr]:

@@ -147,7 +147,7 @@ OPERATIONS: dict[str, tuple[Operation, Truth]] = {
     "named": (lambda w: ops.let("n", w.s * w.a), lambda a, b, s, t: [s * x for x in a]),
     "quotient": (lambda w: ops.divide("d", w.a, w.t), lambda a, b, s, t: [x / t for x in a]),
     "third": (one_third, lambda a, b, s, t: [x / 3 for x in a]),
-    "inverse": (lambda w: ops.reciprocal("i", w.t), lambda a, b, s, t: [1 / t]),
+    "over": (lambda w: ops.over(w.a, w.t), lambda a, b, s, t: [x / t for x in a]),
     "root": (
         lambda w: ops.square_root("q", w.s * w.s + w.t * w.t),
         lambda a, b, s, t: [mp.hypot(s, t)],
@@ -199,12 +199,14 @@ def test_units_and_frames_of_results() -> None:
     world = World()
     results = {name: operation(world) for name, (operation, _) in OPERATIONS.items()}
     squares = {"product", "square", "element", "cross", "dot", "named"}
-    plain = {"quotient", "angle", "sine", "series"}
+    plain = {"quotient", "over", "angle", "sine", "series"}
     for name, result in results.items():
-        power = 2 if name in squares else 0 if name in plain else -1 if name == "inverse" else 1
+        power = 2 if name in squares else 0 if name in plain else 1
         assert result.unit == units.parse("m") ** power, name
         vector = name in {"sum", "difference", "opposite", "scaled", "product", "cross", "total"}
-        vector = vector or name in {"named", "quotient", "third"} or name.startswith("rotation")
+        vector = (
+            vector or name in {"named", "quotient", "over", "third"} or name.startswith("rotation")
+        )
         frame = "g" if name.startswith("rotation") else "f"
         assert result.frame == (frame if vector else None), name
         assert result.size == (3 if vector else 1), name
