@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
-from symnav.graph import ZERO, Definition, Graph, Matrix, element_names, product
+from symnav.graph import ZERO, Definition, Graph, Matrix, element_names, is_multiple, product
 
 #: How much an operation of the item part weighs against one of the shared part.
 ITEM_WEIGHT = 8
@@ -81,7 +81,7 @@ class _Trial:
 
     def atom(self, name: str, expression: sp.Expr) -> sp.Expr:
         """The expression itself when it is as good as a symbol, otherwise its name."""
-        if _is_atomic(expression) and not (self.names_multiples and _is_multiple(expression)):
+        if _is_atomic(expression) and not (self.names_multiples and is_multiple(expression)):
             return expression
         if expression in self._known:
             return self._known[expression]
@@ -192,12 +192,6 @@ def _is_atomic(e: sp.Expr) -> bool:
     above = sum(1 for f in factors if f.is_Symbol)
     below = sum(1 for f in factors if f.is_Pow and f.exp == -1 and f.base.is_Symbol)
     return above <= 1 and below <= 1 and above + below == len(factors)
-
-
-def _is_multiple(e: sp.Expr) -> bool:
-    """A number other than one and minus one times a symbol."""
-    number, rest = e.as_coeff_Mul()
-    return bool(rest.is_Symbol and number not in (1, -1))
 
 
 def operations(expression: sp.Expr) -> int:

@@ -93,6 +93,7 @@ class Graph:
     _owner: dict[sp.Symbol, tuple[str, int]] = field(default_factory=dict)
     _item: set[sp.Symbol] = field(default_factory=set)
     _moving: set[sp.Symbol] = field(default_factory=set)
+    _multiples: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
     _names: set[str] = field(default_factory=set)
 
     # -- leaves ------------------------------------------------------------------------------
@@ -152,6 +153,8 @@ class Graph:
                 self._item.add(symbol)
             if not frozen and self.moves(expression):
                 self._moving.add(symbol)
+            elif is_multiple(expression):
+                self._multiples[symbol] = expression
             symbols.append(symbol)
         return tuple(symbols)
 
@@ -174,7 +177,11 @@ class Graph:
         return symbols
 
     def local_partials(self, expressions: Sequence[sp.Expr]) -> dict[str, Matrix]:
-        """Derivatives of expressions toward the vertices that own their symbols."""
+        """Derivatives of expressions toward the vertices that own their symbols.
+
+        A named multiple (half the interval) is seen through, so that products of derivatives can
+        cancel what it is a multiple of.
+        """
         used: dict[str, dict[int, sp.Symbol]] = {}
         for symbol in _ordered_symbols(expressions):
             if symbol not in self._moving:
@@ -186,7 +193,9 @@ class Graph:
         return {
             name: tuple(
                 tuple(
-                    sp.diff(expression, columns[k]) if k in columns else ZERO
+                    sp.diff(expression, columns[k]).xreplace(self._multiples)
+                    if k in columns
+                    else ZERO
                     for k in range(self.vertices[name].size)
                 )
                 for expression in expressions
@@ -258,6 +267,12 @@ class Graph:
 
     def _unique_vertex(self, name: str) -> str:
         return _first_free(name, set(self.vertices))
+
+
+def is_multiple(expression: sp.Expr) -> bool:
+    """True for a number other than one and minus one times a symbol."""
+    number, rest = expression.as_coeff_Mul()
+    return bool(rest.is_Symbol and number not in (1, -1))
 
 
 def element_names(name: str, count: int, suffixes: Sequence[str] | None = None) -> tuple[str, ...]:

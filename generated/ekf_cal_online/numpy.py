@@ -321,20 +321,13 @@ def _gps_1_kernel(
     value_out_x = observed_x + origin_x
     value_out_y = observed_y + origin_y
     value_out_z = observed_z + origin_z
-    value_by_attitude_arm_inner_x_x = attitude_00 * heading_cosine + attitude_10 * heading_sine
-    value_by_attitude_arm_inner_x_y = attitude_01 * heading_cosine + attitude_11 * heading_sine
     value_by_attitude_arm_inner_x_z = attitude_02 * heading_cosine + attitude_12 * heading_sine
     value_by_attitude_arm_inner_y_x = attitude_10 * heading_cosine - attitude_00 * heading_sine
+    value_by_attitude_arm_inner_x_x = attitude_00 * heading_cosine + attitude_10 * heading_sine
+    value_by_attitude_arm_inner_x_y = attitude_01 * heading_cosine + attitude_11 * heading_sine
     value_by_attitude_arm_inner_y_y = attitude_11 * heading_cosine - attitude_01 * heading_sine
     value_by_attitude_arm_inner_y_z = attitude_12 * heading_cosine - attitude_02 * heading_sine
-    value_by_attitude_tangent_x_x = (
-        antenna_1_y * value_by_attitude_arm_inner_x_z
-        - antenna_1_z * value_by_attitude_arm_inner_x_y
-    )
-    value_by_attitude_tangent_x_y = (
-        antenna_1_z * value_by_attitude_arm_inner_x_x
-        - antenna_1_x * value_by_attitude_arm_inner_x_z
-    )
+    value_by_attitude_tangent_z_y = antenna_1_z * attitude_20 - antenna_1_x * attitude_22
     value_by_attitude_tangent_x_z = (
         antenna_1_x * value_by_attitude_arm_inner_x_y
         - antenna_1_y * value_by_attitude_arm_inner_x_x
@@ -342,6 +335,14 @@ def _gps_1_kernel(
     value_by_attitude_tangent_y_x = (
         antenna_1_y * value_by_attitude_arm_inner_y_z
         - antenna_1_z * value_by_attitude_arm_inner_y_y
+    )
+    value_by_attitude_tangent_x_x = (
+        antenna_1_y * value_by_attitude_arm_inner_x_z
+        - antenna_1_z * value_by_attitude_arm_inner_x_y
+    )
+    value_by_attitude_tangent_x_y = (
+        antenna_1_z * value_by_attitude_arm_inner_x_x
+        - antenna_1_x * value_by_attitude_arm_inner_x_z
     )
     value_by_attitude_tangent_y_y = (
         antenna_1_z * value_by_attitude_arm_inner_y_x
@@ -352,7 +353,6 @@ def _gps_1_kernel(
         - antenna_1_y * value_by_attitude_arm_inner_y_x
     )
     value_by_attitude_tangent_z_x = antenna_1_y * attitude_22 - antenna_1_z * attitude_21
-    value_by_attitude_tangent_z_y = antenna_1_z * attitude_20 - antenna_1_x * attitude_22
     value_by_attitude_tangent_z_z = antenna_1_x * attitude_21 - antenna_1_y * attitude_20
     return (
         (value_out_x, value_out_y, value_out_z),
@@ -437,20 +437,13 @@ def _gps_2_kernel(
     value_out_x = observed_x + origin_x
     value_out_y = observed_y + origin_y
     value_out_z = observed_z + origin_z
-    value_by_attitude_arm_inner_x_x = attitude_00 * heading_cosine + attitude_10 * heading_sine
-    value_by_attitude_arm_inner_x_y = attitude_01 * heading_cosine + attitude_11 * heading_sine
     value_by_attitude_arm_inner_x_z = attitude_02 * heading_cosine + attitude_12 * heading_sine
     value_by_attitude_arm_inner_y_x = attitude_10 * heading_cosine - attitude_00 * heading_sine
+    value_by_attitude_arm_inner_x_x = attitude_00 * heading_cosine + attitude_10 * heading_sine
+    value_by_attitude_arm_inner_x_y = attitude_01 * heading_cosine + attitude_11 * heading_sine
     value_by_attitude_arm_inner_y_y = attitude_11 * heading_cosine - attitude_01 * heading_sine
     value_by_attitude_arm_inner_y_z = attitude_12 * heading_cosine - attitude_02 * heading_sine
-    value_by_attitude_tangent_x_x = (
-        antenna_2_y * value_by_attitude_arm_inner_x_z
-        - antenna_2_z * value_by_attitude_arm_inner_x_y
-    )
-    value_by_attitude_tangent_x_y = (
-        antenna_2_z * value_by_attitude_arm_inner_x_x
-        - antenna_2_x * value_by_attitude_arm_inner_x_z
-    )
+    value_by_attitude_tangent_z_y = antenna_2_z * attitude_20 - antenna_2_x * attitude_22
     value_by_attitude_tangent_x_z = (
         antenna_2_x * value_by_attitude_arm_inner_x_y
         - antenna_2_y * value_by_attitude_arm_inner_x_x
@@ -458,6 +451,14 @@ def _gps_2_kernel(
     value_by_attitude_tangent_y_x = (
         antenna_2_y * value_by_attitude_arm_inner_y_z
         - antenna_2_z * value_by_attitude_arm_inner_y_y
+    )
+    value_by_attitude_tangent_x_x = (
+        antenna_2_y * value_by_attitude_arm_inner_x_z
+        - antenna_2_z * value_by_attitude_arm_inner_x_y
+    )
+    value_by_attitude_tangent_x_y = (
+        antenna_2_z * value_by_attitude_arm_inner_x_x
+        - antenna_2_x * value_by_attitude_arm_inner_x_z
     )
     value_by_attitude_tangent_y_y = (
         antenna_2_z * value_by_attitude_arm_inner_y_x
@@ -468,7 +469,6 @@ def _gps_2_kernel(
         - antenna_2_y * value_by_attitude_arm_inner_y_x
     )
     value_by_attitude_tangent_z_x = antenna_2_y * attitude_22 - antenna_2_z * attitude_21
-    value_by_attitude_tangent_z_y = antenna_2_z * attitude_20 - antenna_2_x * attitude_22
     value_by_attitude_tangent_z_z = antenna_2_x * attitude_21 - antenna_2_y * attitude_20
     return (
         (value_out_x, value_out_y, value_out_z),

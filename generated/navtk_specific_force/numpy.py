@@ -217,89 +217,53 @@ def _calc_force_kernel(
     half_theta_x = 0.5 * delta_theta_x
     half_theta_y = 0.5 * delta_theta_y
     half_theta_z = 0.5 * delta_theta_z
-    inverse_dt = 1.0 / dt
-    s0 = delta_velocity_x + delta_velocity_z * half_theta_y - delta_velocity_y * half_theta_z
-    force_x = inverse_dt * s0
-    s1 = delta_velocity_y + delta_velocity_x * half_theta_z - delta_velocity_z * half_theta_x
-    force_y = inverse_dt * s1
-    s2 = delta_velocity_z + delta_velocity_y * half_theta_x - delta_velocity_x * half_theta_y
-    force_z = inverse_dt * s2
+    s0 = 1.0 / dt
+    s1 = delta_velocity_x + delta_velocity_z * half_theta_y - delta_velocity_y * half_theta_z
+    force_x = s0 * s1
+    s2 = delta_velocity_y + delta_velocity_x * half_theta_z - delta_velocity_z * half_theta_x
+    force_y = s0 * s2
+    s3 = delta_velocity_z + delta_velocity_y * half_theta_x - delta_velocity_x * half_theta_y
+    force_z = s0 * s3
     corrected_x = force_x
     corrected_y = force_y
     corrected_z = force_z
     resolved_x = corrected_x * dcm_00 + corrected_y * dcm_01 + corrected_z * dcm_02
     resolved_y = corrected_x * dcm_10 + corrected_y * dcm_11 + corrected_z * dcm_12
     resolved_z = corrected_x * dcm_20 + corrected_y * dcm_21 + corrected_z * dcm_22
-    force_by_delta_velocity_x_y = -(half_theta_z * inverse_dt)
-    force_by_delta_velocity_x_z = half_theta_y * inverse_dt
-    force_by_delta_velocity_y_z = -(half_theta_x * inverse_dt)
-    force_by_half_theta_x_y = delta_velocity_z * inverse_dt
-    force_by_half_theta_x_z = -(delta_velocity_y * inverse_dt)
-    force_by_half_theta_y_z = delta_velocity_x * inverse_dt
-    force_by_inverse_dt_x = s0
-    force_by_inverse_dt_y = s1
-    force_by_inverse_dt_z = s2
-    inverse_dt_by_dt = -(1.0 / (dt * dt))
-    value_by_delta_velocity_x_x = (
-        dcm_00 * inverse_dt - dcm_01 * force_by_delta_velocity_x_y
-        - dcm_02 * force_by_delta_velocity_x_z
-    )
-    value_by_delta_velocity_x_y = (
-        dcm_00 * force_by_delta_velocity_x_y + dcm_01 * inverse_dt
-        - dcm_02 * force_by_delta_velocity_y_z
-    )
-    value_by_delta_velocity_x_z = (
-        dcm_00 * force_by_delta_velocity_x_z + dcm_01 * force_by_delta_velocity_y_z
-        + dcm_02 * inverse_dt
-    )
-    value_by_delta_velocity_y_x = (
-        dcm_10 * inverse_dt - dcm_11 * force_by_delta_velocity_x_y
-        - dcm_12 * force_by_delta_velocity_x_z
-    )
-    value_by_delta_velocity_y_y = (
-        dcm_10 * force_by_delta_velocity_x_y + dcm_11 * inverse_dt
-        - dcm_12 * force_by_delta_velocity_y_z
-    )
-    value_by_delta_velocity_y_z = (
-        dcm_10 * force_by_delta_velocity_x_z + dcm_11 * force_by_delta_velocity_y_z
-        + dcm_12 * inverse_dt
-    )
-    value_by_delta_velocity_z_x = (
-        dcm_20 * inverse_dt - dcm_21 * force_by_delta_velocity_x_y
-        - dcm_22 * force_by_delta_velocity_x_z
-    )
-    value_by_delta_velocity_z_y = (
-        dcm_20 * force_by_delta_velocity_x_y + dcm_21 * inverse_dt
-        - dcm_22 * force_by_delta_velocity_y_z
-    )
-    value_by_delta_velocity_z_z = (
-        dcm_20 * force_by_delta_velocity_x_z + dcm_21 * force_by_delta_velocity_y_z
-        + dcm_22 * inverse_dt
-    )
-    value_by_half_theta_x_x = -(dcm_01 * force_by_half_theta_x_y) - dcm_02 * force_by_half_theta_x_z
-    value_by_half_theta_x_y = dcm_00 * force_by_half_theta_x_y - dcm_02 * force_by_half_theta_y_z
-    value_by_half_theta_x_z = dcm_00 * force_by_half_theta_x_z + dcm_01 * force_by_half_theta_y_z
-    value_by_half_theta_y_x = -(dcm_11 * force_by_half_theta_x_y) - dcm_12 * force_by_half_theta_x_z
-    value_by_half_theta_y_y = dcm_10 * force_by_half_theta_x_y - dcm_12 * force_by_half_theta_y_z
-    value_by_half_theta_y_z = dcm_10 * force_by_half_theta_x_z + dcm_11 * force_by_half_theta_y_z
-    value_by_half_theta_z_x = -(dcm_21 * force_by_half_theta_x_y) - dcm_22 * force_by_half_theta_x_z
-    value_by_half_theta_z_y = dcm_20 * force_by_half_theta_x_y - dcm_22 * force_by_half_theta_y_z
-    value_by_half_theta_z_z = dcm_20 * force_by_half_theta_x_z + dcm_21 * force_by_half_theta_y_z
-    value_by_inverse_dt_x = (
-        dcm_00 * force_by_inverse_dt_x + dcm_01 * force_by_inverse_dt_y
-        + dcm_02 * force_by_inverse_dt_z
-    )
-    value_by_inverse_dt_y = (
-        dcm_10 * force_by_inverse_dt_x + dcm_11 * force_by_inverse_dt_y
-        + dcm_12 * force_by_inverse_dt_z
-    )
-    value_by_inverse_dt_z = (
-        dcm_20 * force_by_inverse_dt_x + dcm_21 * force_by_inverse_dt_y
-        + dcm_22 * force_by_inverse_dt_z
-    )
-    value_by_dt_x = inverse_dt_by_dt * value_by_inverse_dt_x
-    value_by_dt_y = inverse_dt_by_dt * value_by_inverse_dt_y
-    value_by_dt_z = inverse_dt_by_dt * value_by_inverse_dt_z
+    s4 = 1.0 / (dt * dt)
+    force_by_dt_x = -(s1 * s4)
+    force_by_dt_y = -(s2 * s4)
+    force_by_dt_z = -(s3 * s4)
+    s5 = dcm_21 * s0
+    s6 = dcm_22 * s0
+    s7 = dcm_20 * s0
+    value_by_delta_velocity_z_y = s5 + half_theta_x * s6 - half_theta_z * s7
+    s10 = dcm_01 * s0
+    s8 = dcm_02 * s0
+    s9 = dcm_00 * s0
+    value_by_delta_velocity_x_z = s8 + half_theta_y * s9 - half_theta_x * s10
+    s11 = dcm_10 * s0
+    s12 = dcm_11 * s0
+    s13 = dcm_12 * s0
+    value_by_delta_velocity_y_x = s11 + half_theta_z * s12 - half_theta_y * s13
+    value_by_delta_velocity_x_x = s9 + half_theta_z * s10 - half_theta_y * s8
+    value_by_delta_velocity_x_y = s10 + half_theta_x * s8 - half_theta_z * s9
+    value_by_delta_velocity_y_y = s12 + half_theta_x * s13 - half_theta_z * s11
+    value_by_delta_velocity_y_z = s13 + half_theta_y * s11 - half_theta_x * s12
+    value_by_delta_velocity_z_x = s7 + half_theta_z * s5 - half_theta_y * s6
+    value_by_delta_velocity_z_z = s6 + half_theta_y * s7 - half_theta_x * s5
+    value_by_dt_x = dcm_00 * force_by_dt_x + dcm_01 * force_by_dt_y + dcm_02 * force_by_dt_z
+    value_by_dt_y = dcm_10 * force_by_dt_x + dcm_11 * force_by_dt_y + dcm_12 * force_by_dt_z
+    value_by_dt_z = dcm_20 * force_by_dt_x + dcm_21 * force_by_dt_y + dcm_22 * force_by_dt_z
+    value_by_half_theta_z_y = delta_velocity_z * s7 - delta_velocity_x * s6
+    value_by_half_theta_x_z = dcm_01 * delta_velocity_x * s0 - delta_velocity_y * s9
+    value_by_half_theta_y_x = dcm_12 * delta_velocity_y * s0 - delta_velocity_z * s12
+    value_by_half_theta_x_x = dcm_02 * delta_velocity_y * s0 - delta_velocity_z * s10
+    value_by_half_theta_x_y = delta_velocity_z * s9 - delta_velocity_x * s8
+    value_by_half_theta_y_y = delta_velocity_z * s11 - delta_velocity_x * s13
+    value_by_half_theta_y_z = dcm_11 * delta_velocity_x * s0 - delta_velocity_y * s11
+    value_by_half_theta_z_x = dcm_22 * delta_velocity_y * s0 - delta_velocity_z * s5
+    value_by_half_theta_z_z = dcm_21 * delta_velocity_x * s0 - delta_velocity_y * s7
     return (
         (resolved_x, resolved_y, resolved_z),
         (-resolved_z, resolved_y, resolved_z, -resolved_x, -resolved_y, resolved_x),
@@ -384,106 +348,76 @@ def _force_kernel(
     half_theta_x = 0.5 * a_x
     half_theta_y = 0.5 * a_y
     half_theta_z = 0.5 * a_z
-    inverse_dt = 1.0 / dt
-    s1 = v_x + half_theta_y * v_z - half_theta_z * v_y
-    force_x = inverse_dt * s1
-    s2 = v_y + half_theta_z * v_x - half_theta_x * v_z
-    force_y = inverse_dt * s2
-    s3 = v_z + half_theta_x * v_y - half_theta_y * v_x
-    force_z = inverse_dt * s3
+    s1 = 1.0 / dt
+    s2 = v_x + half_theta_y * v_z - half_theta_z * v_y
+    force_x = s1 * s2
+    s3 = v_y + half_theta_z * v_x - half_theta_x * v_z
+    force_y = s1 * s3
+    s4 = v_z + half_theta_x * v_y - half_theta_y * v_x
+    force_z = s1 * s4
     corrected_x = force_x
     corrected_y = force_y
     corrected_z = force_z
     resolved_x = attitude_00 * corrected_x + attitude_01 * corrected_y + attitude_02 * corrected_z
     resolved_y = attitude_10 * corrected_x + attitude_11 * corrected_y + attitude_12 * corrected_z
     resolved_z = attitude_20 * corrected_x + attitude_21 * corrected_y + attitude_22 * corrected_z
-    force_by_half_theta_x_y = inverse_dt * v_z
-    force_by_half_theta_x_z = -(inverse_dt * v_y)
-    force_by_half_theta_y_z = inverse_dt * v_x
-    force_by_inverse_dt_x = s1
-    force_by_inverse_dt_y = s2
-    force_by_inverse_dt_z = s3
-    force_by_v_x_y = -(half_theta_z * inverse_dt)
-    force_by_v_x_z = half_theta_y * inverse_dt
-    force_by_v_y_z = -(half_theta_x * inverse_dt)
-    inverse_dt_by_dt = -(1.0 / (dt * dt))
-    value_by_half_theta_x_x = (
-        -(attitude_01 * force_by_half_theta_x_y) - attitude_02 * force_by_half_theta_x_z
+    s5 = 1.0 / (dt * dt)
+    force_by_dt_x = -(s2 * s5)
+    force_by_dt_y = -(s3 * s5)
+    force_by_dt_z = -(s4 * s5)
+    value_by_dt_x = (
+        attitude_00 * force_by_dt_x + attitude_01 * force_by_dt_y + attitude_02 * force_by_dt_z
     )
-    value_by_half_theta_x_y = (
-        attitude_00 * force_by_half_theta_x_y - attitude_02 * force_by_half_theta_y_z
+    value_by_dt_y = (
+        attitude_10 * force_by_dt_x + attitude_11 * force_by_dt_y + attitude_12 * force_by_dt_z
     )
-    value_by_half_theta_x_z = (
-        attitude_00 * force_by_half_theta_x_z + attitude_01 * force_by_half_theta_y_z
+    value_by_dt_z = (
+        attitude_20 * force_by_dt_x + attitude_21 * force_by_dt_y + attitude_22 * force_by_dt_z
     )
-    value_by_half_theta_y_x = (
-        -(attitude_11 * force_by_half_theta_x_y) - attitude_12 * force_by_half_theta_x_z
-    )
-    value_by_half_theta_y_y = (
-        attitude_10 * force_by_half_theta_x_y - attitude_12 * force_by_half_theta_y_z
-    )
-    value_by_half_theta_y_z = (
-        attitude_10 * force_by_half_theta_x_z + attitude_11 * force_by_half_theta_y_z
-    )
-    value_by_half_theta_z_x = (
-        -(attitude_21 * force_by_half_theta_x_y) - attitude_22 * force_by_half_theta_x_z
-    )
-    value_by_half_theta_z_y = (
-        attitude_20 * force_by_half_theta_x_y - attitude_22 * force_by_half_theta_y_z
-    )
-    value_by_half_theta_z_z = (
-        attitude_20 * force_by_half_theta_x_z + attitude_21 * force_by_half_theta_y_z
-    )
-    value_by_inverse_dt_x = (
-        attitude_00 * force_by_inverse_dt_x + attitude_01 * force_by_inverse_dt_y
-        + attitude_02 * force_by_inverse_dt_z
-    )
-    value_by_inverse_dt_y = (
-        attitude_10 * force_by_inverse_dt_x + attitude_11 * force_by_inverse_dt_y
-        + attitude_12 * force_by_inverse_dt_z
-    )
-    value_by_inverse_dt_z = (
-        attitude_20 * force_by_inverse_dt_x + attitude_21 * force_by_inverse_dt_y
-        + attitude_22 * force_by_inverse_dt_z
-    )
-    value_by_v_x_x = (
-        attitude_00 * inverse_dt - attitude_01 * force_by_v_x_y - attitude_02 * force_by_v_x_z
-    )
-    value_by_v_x_y = (
-        attitude_00 * force_by_v_x_y + attitude_01 * inverse_dt - attitude_02 * force_by_v_y_z
-    )
-    value_by_v_x_z = (
-        attitude_00 * force_by_v_x_z + attitude_01 * force_by_v_y_z + attitude_02 * inverse_dt
-    )
-    value_by_v_y_x = (
-        attitude_10 * inverse_dt - attitude_11 * force_by_v_x_y - attitude_12 * force_by_v_x_z
-    )
-    value_by_v_y_y = (
-        attitude_10 * force_by_v_x_y + attitude_11 * inverse_dt - attitude_12 * force_by_v_y_z
-    )
-    value_by_v_y_z = (
-        attitude_10 * force_by_v_x_z + attitude_11 * force_by_v_y_z + attitude_12 * inverse_dt
-    )
-    value_by_v_z_x = (
-        attitude_20 * inverse_dt - attitude_21 * force_by_v_x_y - attitude_22 * force_by_v_x_z
-    )
-    value_by_v_z_y = (
-        attitude_20 * force_by_v_x_y + attitude_21 * inverse_dt - attitude_22 * force_by_v_y_z
-    )
-    value_by_v_z_z = (
-        attitude_20 * force_by_v_x_z + attitude_21 * force_by_v_y_z + attitude_22 * inverse_dt
-    )
-    value_by_dt_x = inverse_dt_by_dt * value_by_inverse_dt_x
-    value_by_dt_y = inverse_dt_by_dt * value_by_inverse_dt_y
-    value_by_dt_z = inverse_dt_by_dt * value_by_inverse_dt_z
-    value_by_accelerometer_bias_x_x = -(dt * value_by_v_x_x)
-    value_by_accelerometer_bias_x_y = -(dt * value_by_v_x_y)
+    s6 = attitude_20 * s1
+    s7 = attitude_22 * s1
+    value_by_half_theta_z_y = s6 * v_z - s7 * v_x
+    s8 = attitude_00 * s1
+    value_by_half_theta_x_z = attitude_01 * s1 * v_x - s8 * v_y
+    s9 = attitude_11 * s1
+    value_by_half_theta_y_x = attitude_12 * s1 * v_y - s9 * v_z
+    s10 = attitude_01 * s1
+    value_by_half_theta_x_x = attitude_02 * s1 * v_y - s10 * v_z
+    s11 = attitude_02 * s1
+    value_by_half_theta_x_y = s8 * v_z - s11 * v_x
+    s12 = attitude_10 * s1
+    s13 = attitude_12 * s1
+    value_by_half_theta_y_y = s12 * v_z - s13 * v_x
+    value_by_half_theta_y_z = attitude_11 * s1 * v_x - s12 * v_y
+    s14 = attitude_21 * s1
+    value_by_half_theta_z_x = attitude_22 * s1 * v_y - s14 * v_z
+    value_by_half_theta_z_z = attitude_21 * s1 * v_x - s6 * v_y
+    value_by_v_z_y = s14 + half_theta_x * s7 - half_theta_z * s6
+    value_by_v_x_z = s11 + half_theta_y * s8 - half_theta_x * s10
+    value_by_v_y_x = s12 + half_theta_z * s9 - half_theta_y * s13
+    value_by_v_x_x = s8 + half_theta_z * s10 - half_theta_y * s11
+    value_by_v_x_y = s10 + half_theta_x * s11 - half_theta_z * s8
+    value_by_v_y_y = s9 + half_theta_x * s13 - half_theta_z * s12
+    value_by_v_y_z = s13 + half_theta_y * s12 - half_theta_x * s9
+    value_by_v_z_x = s6 + half_theta_z * s14 - half_theta_y * s7
+    value_by_v_z_z = s7 + half_theta_y * s6 - half_theta_x * s14
+    value_by_a_z_y = 0.5 * value_by_half_theta_z_y
+    value_by_a_x_z = 0.5 * value_by_half_theta_x_z
+    value_by_a_y_x = 0.5 * value_by_half_theta_y_x
+    value_by_a_x_x = 0.5 * value_by_half_theta_x_x
+    value_by_a_x_y = 0.5 * value_by_half_theta_x_y
+    value_by_a_y_y = 0.5 * value_by_half_theta_y_y
+    value_by_a_y_z = 0.5 * value_by_half_theta_y_z
+    value_by_a_z_x = 0.5 * value_by_half_theta_z_x
+    value_by_a_z_z = 0.5 * value_by_half_theta_z_z
+    value_by_accelerometer_bias_z_y = -(dt * value_by_v_z_y)
     value_by_accelerometer_bias_x_z = -(dt * value_by_v_x_z)
     value_by_accelerometer_bias_y_x = -(dt * value_by_v_y_x)
+    value_by_accelerometer_bias_x_x = -(dt * value_by_v_x_x)
+    value_by_accelerometer_bias_x_y = -(dt * value_by_v_x_y)
     value_by_accelerometer_bias_y_y = -(dt * value_by_v_y_y)
     value_by_accelerometer_bias_y_z = -(dt * value_by_v_y_z)
     value_by_accelerometer_bias_z_x = -(dt * value_by_v_z_x)
-    value_by_accelerometer_bias_z_y = -(dt * value_by_v_z_y)
     value_by_accelerometer_bias_z_z = -(dt * value_by_v_z_z)
     value_by_dt_x_2 = (
         value_by_dt_x - accelerometer_bias_x * value_by_v_x_x
@@ -497,27 +431,27 @@ def _force_kernel(
         value_by_dt_z - accelerometer_bias_x * value_by_v_z_x
         - accelerometer_bias_y * value_by_v_z_y - accelerometer_bias_z * value_by_v_z_z
     )
-    s4 = 0.5 * value_by_half_theta_x_x
-    s5 = 0.5 * value_by_half_theta_x_y
-    s6 = 0.5 * value_by_half_theta_x_z
-    value_by_dt_x_3 = value_by_dt_x_2 - gyro_bias_x * s4 - gyro_bias_y * s5 - gyro_bias_z * s6
-    s7 = 0.5 * value_by_half_theta_y_x
-    s8 = 0.5 * value_by_half_theta_y_y
-    s9 = 0.5 * value_by_half_theta_y_z
-    value_by_dt_y_3 = value_by_dt_y_2 - gyro_bias_x * s7 - gyro_bias_y * s8 - gyro_bias_z * s9
-    s10 = 0.5 * value_by_half_theta_z_x
-    s11 = 0.5 * value_by_half_theta_z_y
-    s12 = 0.5 * value_by_half_theta_z_z
-    value_by_dt_z_3 = value_by_dt_z_2 - gyro_bias_x * s10 - gyro_bias_y * s11 - gyro_bias_z * s12
-    value_by_gyro_bias_x_x = -(dt * s4)
-    value_by_gyro_bias_x_y = -(dt * s5)
-    value_by_gyro_bias_x_z = -(dt * s6)
-    value_by_gyro_bias_y_x = -(dt * s7)
-    value_by_gyro_bias_y_y = -(dt * s8)
-    value_by_gyro_bias_y_z = -(dt * s9)
-    value_by_gyro_bias_z_x = -(dt * s10)
-    value_by_gyro_bias_z_y = -(dt * s11)
-    value_by_gyro_bias_z_z = -(dt * s12)
+    value_by_dt_x_3 = (
+        value_by_dt_x_2 - gyro_bias_x * value_by_a_x_x - gyro_bias_y * value_by_a_x_y
+        - gyro_bias_z * value_by_a_x_z
+    )
+    value_by_dt_y_3 = (
+        value_by_dt_y_2 - gyro_bias_x * value_by_a_y_x - gyro_bias_y * value_by_a_y_y
+        - gyro_bias_z * value_by_a_y_z
+    )
+    value_by_dt_z_3 = (
+        value_by_dt_z_2 - gyro_bias_x * value_by_a_z_x - gyro_bias_y * value_by_a_z_y
+        - gyro_bias_z * value_by_a_z_z
+    )
+    value_by_gyro_bias_z_y = -(dt * value_by_a_z_y)
+    value_by_gyro_bias_x_z = -(dt * value_by_a_x_z)
+    value_by_gyro_bias_y_x = -(dt * value_by_a_y_x)
+    value_by_gyro_bias_x_x = -(dt * value_by_a_x_x)
+    value_by_gyro_bias_x_y = -(dt * value_by_a_x_y)
+    value_by_gyro_bias_y_y = -(dt * value_by_a_y_y)
+    value_by_gyro_bias_y_z = -(dt * value_by_a_y_z)
+    value_by_gyro_bias_z_x = -(dt * value_by_a_z_x)
+    value_by_gyro_bias_z_z = -(dt * value_by_a_z_z)
     return (
         (resolved_x, resolved_y, resolved_z),
         (
@@ -530,7 +464,10 @@ def _force_kernel(
             value_by_accelerometer_bias_z_y, value_by_accelerometer_bias_z_z,
             value_by_gyro_bias_z_x, value_by_gyro_bias_z_y, value_by_gyro_bias_z_z,
         ),
-        (s4, s5, s6, s7, s8, s9, s10, s11, s12),
+        (
+            value_by_a_x_x, value_by_a_x_y, value_by_a_x_z, value_by_a_y_x, value_by_a_y_y,
+            value_by_a_y_z, value_by_a_z_x, value_by_a_z_y, value_by_a_z_z,
+        ),
         (
             value_by_v_x_x, value_by_v_x_y, value_by_v_x_z, value_by_v_y_x, value_by_v_y_y,
             value_by_v_y_z, value_by_v_z_x, value_by_v_z_y, value_by_v_z_z,

@@ -271,14 +271,14 @@ def _gps_kernel(xp: Any, guards: _arrays.Guards, x: Any) -> _arrays.Nonzeros:
     value_out_x = attitude_arm_x + position_x
     value_out_y = attitude_arm_y + position_y
     value_out_z = attitude_arm_z + position_z
-    attitude_arm_by_attitude_x_x = antenna_y * attitude_02 - antenna_z * attitude_01
-    attitude_arm_by_attitude_x_y = antenna_z * attitude_00 - antenna_x * attitude_02
+    attitude_arm_by_attitude_z_y = antenna_z * attitude_20 - antenna_x * attitude_22
     attitude_arm_by_attitude_x_z = antenna_x * attitude_01 - antenna_y * attitude_00
     attitude_arm_by_attitude_y_x = antenna_y * attitude_12 - antenna_z * attitude_11
+    attitude_arm_by_attitude_x_x = antenna_y * attitude_02 - antenna_z * attitude_01
+    attitude_arm_by_attitude_x_y = antenna_z * attitude_00 - antenna_x * attitude_02
     attitude_arm_by_attitude_y_y = antenna_z * attitude_10 - antenna_x * attitude_12
     attitude_arm_by_attitude_y_z = antenna_x * attitude_11 - antenna_y * attitude_10
     attitude_arm_by_attitude_z_x = antenna_y * attitude_22 - antenna_z * attitude_21
-    attitude_arm_by_attitude_z_y = antenna_z * attitude_20 - antenna_x * attitude_22
     attitude_arm_by_attitude_z_z = antenna_x * attitude_21 - antenna_y * attitude_20
     return (
         (value_out_x, value_out_y, value_out_z),
@@ -552,25 +552,25 @@ def _imu_kernel(
     half_theta_x = 0.5 * theta_x
     half_theta_y = 0.5 * theta_y
     half_theta_z = 0.5 * theta_z
-    inverse_dt = 1.0 / dt
+    s5 = 1.0 / dt
     sculling2_angle_y = 0.6666666666666666 * a1_y
     sculling2_angle_z = 0.6666666666666666 * a1_z
     sculling2_velocity_y = 0.6666666666666666 * v1_y
     sculling2_velocity_z = 0.6666666666666666 * v1_z
     force_x = (
-        inverse_dt * (velocity_x + a2_z * sculling2_velocity_y + half_theta_y * velocity_z
+        s5 * (velocity_x + a2_z * sculling2_velocity_y + half_theta_y * velocity_z
         + sculling2_angle_y * v2_z - a2_y * sculling2_velocity_z - half_theta_z * velocity_y
         - sculling2_angle_z * v2_y)
     )
     sculling2_angle_x = 0.6666666666666666 * a1_x
     sculling2_velocity_x = 0.6666666666666666 * v1_x
     force_y = (
-        inverse_dt * (velocity_y + a2_x * sculling2_velocity_z + half_theta_z * velocity_x
+        s5 * (velocity_y + a2_x * sculling2_velocity_z + half_theta_z * velocity_x
         + sculling2_angle_z * v2_x - a2_z * sculling2_velocity_x - half_theta_x * velocity_z
         - sculling2_angle_x * v2_z)
     )
     force_z = (
-        inverse_dt * (velocity_z + a2_y * sculling2_velocity_x + half_theta_x * velocity_y
+        s5 * (velocity_z + a2_y * sculling2_velocity_x + half_theta_x * velocity_y
         + sculling2_angle_x * v2_y - a2_x * sculling2_velocity_y - half_theta_y * velocity_x
         - sculling2_angle_y * v2_x)
     )
@@ -580,182 +580,104 @@ def _imu_kernel(
     resolved_x = attitude_00 * corrected_x + attitude_01 * corrected_y + attitude_02 * corrected_z
     resolved_y = attitude_10 * corrected_x + attitude_11 * corrected_y + attitude_12 * corrected_z
     resolved_z = attitude_20 * corrected_x + attitude_21 * corrected_y + attitude_22 * corrected_z
-    force_by_a2_x_y = -(inverse_dt * sculling2_velocity_z)
-    force_by_a2_x_z = inverse_dt * sculling2_velocity_y
-    force_by_a2_y_z = -(inverse_dt * sculling2_velocity_x)
-    force_by_half_theta_x_y = inverse_dt * velocity_z
-    force_by_half_theta_x_z = -(inverse_dt * velocity_y)
-    force_by_half_theta_y_z = inverse_dt * velocity_x
-    force_by_sculling2_angle_x_y = inverse_dt * v2_z
-    force_by_sculling2_angle_x_z = -(inverse_dt * v2_y)
-    force_by_sculling2_angle_y_z = inverse_dt * v2_x
-    force_by_sculling2_velocity_x_y = a2_z * inverse_dt
-    force_by_sculling2_velocity_x_z = -(a2_y * inverse_dt)
-    force_by_sculling2_velocity_y_z = a2_x * inverse_dt
-    force_by_v2_x_y = -(inverse_dt * sculling2_angle_z)
-    force_by_v2_x_z = inverse_dt * sculling2_angle_y
-    force_by_v2_y_z = -(inverse_dt * sculling2_angle_x)
-    force_by_velocity_x_y = -(half_theta_z * inverse_dt)
-    force_by_velocity_x_z = half_theta_y * inverse_dt
-    force_by_velocity_y_z = -(half_theta_x * inverse_dt)
-    resolved_inner_by_v2_x_y = force_by_v2_x_y + force_by_velocity_x_y
-    resolved_inner_by_v2_x_z = force_by_v2_x_z + force_by_velocity_x_z
-    resolved_inner_by_v2_y_z = force_by_v2_y_z + force_by_velocity_y_z
-    resolved_inner_by_accelerometer_bias_step_x_y = (
-        -force_by_velocity_x_y - resolved_inner_by_v2_x_y
+    force_by_accelerometer_bias_z_y = -half_theta_x - 0.5 * sculling2_angle_x
+    force_by_accelerometer_bias_x_z = -half_theta_y - 0.5 * sculling2_angle_y
+    force_by_accelerometer_bias_y_x = -half_theta_z - 0.5 * sculling2_angle_z
+    force_by_gyro_bias_z_y = 0.3333333333333333 * v2_x - 0.5 * sculling2_velocity_x
+    force_by_gyro_bias_x_z = 0.3333333333333333 * v2_y - 0.5 * sculling2_velocity_y
+    force_by_gyro_bias_y_x = 0.3333333333333333 * v2_z - 0.5 * sculling2_velocity_z
+    force_by_accelerometer_bias_z_y_2 = force_by_accelerometer_bias_z_y + 0.3333333333333333 * a2_x
+    force_by_accelerometer_bias_x_z_2 = force_by_accelerometer_bias_x_z + 0.3333333333333333 * a2_y
+    force_by_accelerometer_bias_y_x_2 = force_by_accelerometer_bias_y_x + 0.3333333333333333 * a2_z
+    force_by_gyro_bias_z_y_2 = force_by_gyro_bias_z_y + 0.5 * velocity_x
+    force_by_gyro_bias_x_z_2 = force_by_gyro_bias_x_z + 0.5 * velocity_y
+    force_by_gyro_bias_y_x_2 = force_by_gyro_bias_y_x + 0.5 * velocity_z
+    resolved_by_attitude_z_y = attitude_20 * corrected_z - attitude_22 * corrected_x
+    resolved_by_attitude_x_z = attitude_01 * corrected_x - attitude_00 * corrected_y
+    resolved_by_attitude_y_x = attitude_12 * corrected_y - attitude_11 * corrected_z
+    resolved_by_attitude_x_x = attitude_02 * corrected_y - attitude_01 * corrected_z
+    resolved_by_attitude_x_y = attitude_00 * corrected_z - attitude_02 * corrected_x
+    resolved_by_attitude_y_y = attitude_10 * corrected_z - attitude_12 * corrected_x
+    resolved_by_attitude_y_z = attitude_11 * corrected_x - attitude_10 * corrected_y
+    resolved_by_attitude_z_x = attitude_22 * corrected_y - attitude_21 * corrected_z
+    resolved_by_attitude_z_z = attitude_21 * corrected_x - attitude_20 * corrected_y
+    resolved_by_gyro_bias_z_y = (
+        attitude_22 * force_by_gyro_bias_z_y_2 - attitude_20 * force_by_gyro_bias_y_x_2
     )
-    resolved_inner_by_accelerometer_bias_step_x_z = (
-        -force_by_velocity_x_z - resolved_inner_by_v2_x_z
+    resolved_by_gyro_bias_x_z = (
+        attitude_00 * force_by_gyro_bias_x_z_2 - attitude_01 * force_by_gyro_bias_z_y_2
     )
-    resolved_inner_by_accelerometer_bias_step_y_z = (
-        -force_by_velocity_y_z - resolved_inner_by_v2_y_z
+    resolved_by_gyro_bias_y_x = (
+        attitude_11 * force_by_gyro_bias_y_x_2 - attitude_12 * force_by_gyro_bias_x_z_2
     )
-    resolved_inner_by_accelerometer_bias_step_x_y_2 = (
-        resolved_inner_by_accelerometer_bias_step_x_y
-        - 0.6666666666666666 * force_by_sculling2_velocity_x_y
+    resolved_by_gyro_bias_x_x = (
+        attitude_01 * force_by_gyro_bias_y_x_2 - attitude_02 * force_by_gyro_bias_x_z_2
     )
-    resolved_inner_by_accelerometer_bias_step_x_z_2 = (
-        resolved_inner_by_accelerometer_bias_step_x_z
-        - 0.6666666666666666 * force_by_sculling2_velocity_x_z
+    resolved_by_gyro_bias_x_y = (
+        attitude_02 * force_by_gyro_bias_z_y_2 - attitude_00 * force_by_gyro_bias_y_x_2
     )
-    resolved_inner_by_accelerometer_bias_step_y_z_2 = (
-        resolved_inner_by_accelerometer_bias_step_y_z
-        - 0.6666666666666666 * force_by_sculling2_velocity_y_z
+    resolved_by_gyro_bias_y_y = (
+        attitude_12 * force_by_gyro_bias_z_y_2 - attitude_10 * force_by_gyro_bias_y_x_2
     )
-    s5 = 0.5 * force_by_half_theta_x_y
-    resolved_inner_by_a2_x_y = force_by_a2_x_y + s5
-    s6 = 0.5 * force_by_half_theta_x_z
-    resolved_inner_by_a2_x_z = force_by_a2_x_z + s6
-    s7 = 0.5 * force_by_half_theta_y_z
-    resolved_inner_by_a2_y_z = force_by_a2_y_z + s7
-    resolved_inner_by_gyro_bias_step_x_y = -s5 - 0.6666666666666666 * force_by_sculling2_angle_x_y
-    resolved_inner_by_gyro_bias_step_x_z = -s6 - 0.6666666666666666 * force_by_sculling2_angle_x_z
-    resolved_inner_by_gyro_bias_step_y_z = -s7 - 0.6666666666666666 * force_by_sculling2_angle_y_z
-    resolved_inner_by_gyro_bias_step_x_y_2 = (
-        resolved_inner_by_gyro_bias_step_x_y - resolved_inner_by_a2_x_y
+    resolved_by_gyro_bias_y_z = (
+        attitude_10 * force_by_gyro_bias_x_z_2 - attitude_11 * force_by_gyro_bias_z_y_2
     )
-    resolved_inner_by_gyro_bias_step_x_z_2 = (
-        resolved_inner_by_gyro_bias_step_x_z - resolved_inner_by_a2_x_z
+    resolved_by_gyro_bias_z_x = (
+        attitude_21 * force_by_gyro_bias_y_x_2 - attitude_22 * force_by_gyro_bias_x_z_2
     )
-    resolved_inner_by_gyro_bias_step_y_z_2 = (
-        resolved_inner_by_gyro_bias_step_y_z - resolved_inner_by_a2_y_z
+    resolved_by_gyro_bias_z_z = (
+        attitude_20 * force_by_gyro_bias_x_z_2 - attitude_21 * force_by_gyro_bias_z_y_2
     )
-    resolved_inner_by_gyro_bias_x_y = delta_theta_dt * resolved_inner_by_gyro_bias_step_x_y_2
-    resolved_inner_by_gyro_bias_x_z = delta_theta_dt * resolved_inner_by_gyro_bias_step_x_z_2
-    resolved_inner_by_gyro_bias_y_z = delta_theta_dt * resolved_inner_by_gyro_bias_step_y_z_2
-    resolved_inner_by_accelerometer_bias_x_x = -2.0 * delta_velocity_dt * inverse_dt
-    resolved_inner_by_accelerometer_bias_x_y = (
-        delta_velocity_dt * resolved_inner_by_accelerometer_bias_step_x_y_2
+    resolved_by_accelerometer_bias_z_y = (
+        attitude_22 * force_by_accelerometer_bias_z_y_2 - attitude_21
+        - attitude_20 * force_by_accelerometer_bias_y_x_2
     )
-    resolved_inner_by_accelerometer_bias_x_z = (
-        delta_velocity_dt * resolved_inner_by_accelerometer_bias_step_x_z_2
+    resolved_by_accelerometer_bias_x_z = (
+        attitude_00 * force_by_accelerometer_bias_x_z_2 - attitude_02
+        - attitude_01 * force_by_accelerometer_bias_z_y_2
     )
-    resolved_inner_by_accelerometer_bias_y_z = (
-        delta_velocity_dt * resolved_inner_by_accelerometer_bias_step_y_z_2
+    resolved_by_accelerometer_bias_y_x = (
+        attitude_11 * force_by_accelerometer_bias_y_x_2 - attitude_10
+        - attitude_12 * force_by_accelerometer_bias_x_z_2
     )
-    value_by_attitude_x_x = attitude_02 * corrected_y - attitude_01 * corrected_z
-    value_by_attitude_x_y = attitude_00 * corrected_z - attitude_02 * corrected_x
-    value_by_attitude_x_z = attitude_01 * corrected_x - attitude_00 * corrected_y
-    value_by_attitude_y_x = attitude_12 * corrected_y - attitude_11 * corrected_z
-    value_by_attitude_y_y = attitude_10 * corrected_z - attitude_12 * corrected_x
-    value_by_attitude_y_z = attitude_11 * corrected_x - attitude_10 * corrected_y
-    value_by_attitude_z_x = attitude_22 * corrected_y - attitude_21 * corrected_z
-    value_by_attitude_z_y = attitude_20 * corrected_z - attitude_22 * corrected_x
-    value_by_attitude_z_z = attitude_21 * corrected_x - attitude_20 * corrected_y
-    value_by_gyro_bias_x_x = (
-        -(attitude_01 * resolved_inner_by_gyro_bias_x_y)
-        - attitude_02 * resolved_inner_by_gyro_bias_x_z
+    resolved_by_accelerometer_bias_x_x = (
+        attitude_01 * force_by_accelerometer_bias_y_x_2 - attitude_00
+        - attitude_02 * force_by_accelerometer_bias_x_z_2
     )
-    value_by_gyro_bias_x_y = (
-        attitude_00 * resolved_inner_by_gyro_bias_x_y
-        - attitude_02 * resolved_inner_by_gyro_bias_y_z
+    resolved_by_accelerometer_bias_x_y = (
+        attitude_02 * force_by_accelerometer_bias_z_y_2 - attitude_01
+        - attitude_00 * force_by_accelerometer_bias_y_x_2
     )
-    value_by_gyro_bias_x_z = (
-        attitude_00 * resolved_inner_by_gyro_bias_x_z
-        + attitude_01 * resolved_inner_by_gyro_bias_y_z
+    resolved_by_accelerometer_bias_y_y = (
+        attitude_12 * force_by_accelerometer_bias_z_y_2 - attitude_11
+        - attitude_10 * force_by_accelerometer_bias_y_x_2
     )
-    value_by_gyro_bias_y_x = (
-        -(attitude_11 * resolved_inner_by_gyro_bias_x_y)
-        - attitude_12 * resolved_inner_by_gyro_bias_x_z
+    resolved_by_accelerometer_bias_y_z = (
+        attitude_10 * force_by_accelerometer_bias_x_z_2 - attitude_12
+        - attitude_11 * force_by_accelerometer_bias_z_y_2
     )
-    value_by_gyro_bias_y_y = (
-        attitude_10 * resolved_inner_by_gyro_bias_x_y
-        - attitude_12 * resolved_inner_by_gyro_bias_y_z
+    resolved_by_accelerometer_bias_z_x = (
+        attitude_21 * force_by_accelerometer_bias_y_x_2 - attitude_20
+        - attitude_22 * force_by_accelerometer_bias_x_z_2
     )
-    value_by_gyro_bias_y_z = (
-        attitude_10 * resolved_inner_by_gyro_bias_x_z
-        + attitude_11 * resolved_inner_by_gyro_bias_y_z
-    )
-    value_by_gyro_bias_z_x = (
-        -(attitude_21 * resolved_inner_by_gyro_bias_x_y)
-        - attitude_22 * resolved_inner_by_gyro_bias_x_z
-    )
-    value_by_gyro_bias_z_y = (
-        attitude_20 * resolved_inner_by_gyro_bias_x_y
-        - attitude_22 * resolved_inner_by_gyro_bias_y_z
-    )
-    value_by_gyro_bias_z_z = (
-        attitude_20 * resolved_inner_by_gyro_bias_x_z
-        + attitude_21 * resolved_inner_by_gyro_bias_y_z
-    )
-    value_by_accelerometer_bias_x_x = (
-        attitude_00 * resolved_inner_by_accelerometer_bias_x_x
-        - attitude_01 * resolved_inner_by_accelerometer_bias_x_y
-        - attitude_02 * resolved_inner_by_accelerometer_bias_x_z
-    )
-    value_by_accelerometer_bias_x_y = (
-        attitude_00 * resolved_inner_by_accelerometer_bias_x_y
-        + attitude_01 * resolved_inner_by_accelerometer_bias_x_x
-        - attitude_02 * resolved_inner_by_accelerometer_bias_y_z
-    )
-    value_by_accelerometer_bias_x_z = (
-        attitude_00 * resolved_inner_by_accelerometer_bias_x_z
-        + attitude_01 * resolved_inner_by_accelerometer_bias_y_z
-        + attitude_02 * resolved_inner_by_accelerometer_bias_x_x
-    )
-    value_by_accelerometer_bias_y_x = (
-        attitude_10 * resolved_inner_by_accelerometer_bias_x_x
-        - attitude_11 * resolved_inner_by_accelerometer_bias_x_y
-        - attitude_12 * resolved_inner_by_accelerometer_bias_x_z
-    )
-    value_by_accelerometer_bias_y_y = (
-        attitude_10 * resolved_inner_by_accelerometer_bias_x_y
-        + attitude_11 * resolved_inner_by_accelerometer_bias_x_x
-        - attitude_12 * resolved_inner_by_accelerometer_bias_y_z
-    )
-    value_by_accelerometer_bias_y_z = (
-        attitude_10 * resolved_inner_by_accelerometer_bias_x_z
-        + attitude_11 * resolved_inner_by_accelerometer_bias_y_z
-        + attitude_12 * resolved_inner_by_accelerometer_bias_x_x
-    )
-    value_by_accelerometer_bias_z_x = (
-        attitude_20 * resolved_inner_by_accelerometer_bias_x_x
-        - attitude_21 * resolved_inner_by_accelerometer_bias_x_y
-        - attitude_22 * resolved_inner_by_accelerometer_bias_x_z
-    )
-    value_by_accelerometer_bias_z_y = (
-        attitude_20 * resolved_inner_by_accelerometer_bias_x_y
-        + attitude_21 * resolved_inner_by_accelerometer_bias_x_x
-        - attitude_22 * resolved_inner_by_accelerometer_bias_y_z
-    )
-    value_by_accelerometer_bias_z_z = (
-        attitude_20 * resolved_inner_by_accelerometer_bias_x_z
-        + attitude_21 * resolved_inner_by_accelerometer_bias_y_z
-        + attitude_22 * resolved_inner_by_accelerometer_bias_x_x
+    resolved_by_accelerometer_bias_z_z = (
+        attitude_20 * force_by_accelerometer_bias_x_z_2 - attitude_22
+        - attitude_21 * force_by_accelerometer_bias_z_y_2
     )
     return (
         (resolved_x, resolved_y, resolved_z),
         (
-            value_by_attitude_x_x, value_by_attitude_x_y, value_by_attitude_x_z,
-            value_by_accelerometer_bias_x_x, value_by_accelerometer_bias_x_y,
-            value_by_accelerometer_bias_x_z, value_by_gyro_bias_x_x, value_by_gyro_bias_x_y,
-            value_by_gyro_bias_x_z, value_by_attitude_y_x, value_by_attitude_y_y,
-            value_by_attitude_y_z, value_by_accelerometer_bias_y_x, value_by_accelerometer_bias_y_y,
-            value_by_accelerometer_bias_y_z, value_by_gyro_bias_y_x, value_by_gyro_bias_y_y,
-            value_by_gyro_bias_y_z, value_by_attitude_z_x, value_by_attitude_z_y,
-            value_by_attitude_z_z, value_by_accelerometer_bias_z_x, value_by_accelerometer_bias_z_y,
-            value_by_accelerometer_bias_z_z, value_by_gyro_bias_z_x, value_by_gyro_bias_z_y,
-            value_by_gyro_bias_z_z,
+            resolved_by_attitude_x_x, resolved_by_attitude_x_y, resolved_by_attitude_x_z,
+            resolved_by_accelerometer_bias_x_x, resolved_by_accelerometer_bias_x_y,
+            resolved_by_accelerometer_bias_x_z, resolved_by_gyro_bias_x_x,
+            resolved_by_gyro_bias_x_y, resolved_by_gyro_bias_x_z, resolved_by_attitude_y_x,
+            resolved_by_attitude_y_y, resolved_by_attitude_y_z, resolved_by_accelerometer_bias_y_x,
+            resolved_by_accelerometer_bias_y_y, resolved_by_accelerometer_bias_y_z,
+            resolved_by_gyro_bias_y_x, resolved_by_gyro_bias_y_y, resolved_by_gyro_bias_y_z,
+            resolved_by_attitude_z_x, resolved_by_attitude_z_y, resolved_by_attitude_z_z,
+            resolved_by_accelerometer_bias_z_x, resolved_by_accelerometer_bias_z_y,
+            resolved_by_accelerometer_bias_z_z, resolved_by_gyro_bias_z_x,
+            resolved_by_gyro_bias_z_y, resolved_by_gyro_bias_z_z,
         ),
     )
 

@@ -71,7 +71,9 @@ def _debiased(q: Bound, role: str, bias_role: str, count: int, name: str) -> lis
     if bias is None:
         return pieces
     dt = q.vector("dt")
-    step = let(f"{bias_role}_step", _fraction(Fraction(1, count)) * (dt * bias))
+    if count > 1:
+        dt = let(f"{role}_dt", _fraction(Fraction(1, count)) * dt)
+    step = let(f"{bias_role}_step", dt * bias)
     names = [name] if count == 1 else [f"{name}{k}" for k in range(1, count + 1)]
     return [let(label, piece - step) for label, piece in zip(names, pieces, strict=True)]
 

@@ -231,6 +231,7 @@ class _Program:
         self.nodes: list[_Node] = []
         self.outputs: dict[int, int] = {}
         self.names: dict[int, str] = {}
+        self._places: dict[int, int] = {}
         self._stem = stem
         self._read()
 
@@ -258,6 +259,7 @@ class _Program:
         for k, label in enumerate(labels):
             value = self.outputs[offset + k]
             self.names.setdefault(value, label)
+            self._places.setdefault(value, k)
 
     def steps(
         self, sources: Sequence[Expression], results: int, checks: Mapping[int, Definition]
@@ -301,24 +303,43 @@ class _Program:
         return [] if check is None else [self.outputs[check]]
 
     def _order(self, live: set[int], guard_of: Mapping[int, int]) -> list[int]:
-        """CasADi's order, with every guarded value before the steps that read it."""
+        """The order of the equation: its terms as they were named, other values before their use.
+
+        Elements of a vector stand together, and the code reads like the equation it came from.
+        A guarded value comes before the steps that read it.
+        """
         needs = {v: set(self._needs(v, guard_of)) for v in live}
         users: dict[int, list[int]] = {}
         for value, operands in needs.items():
             for operand in operands:
                 users.setdefault(operand, []).append(value)
-        ready = [v for v, operands in needs.items() if not operands]
+        places = self._placed(live, users)
+        ready = [(places[v], v) for v, operands in needs.items() if not operands]
         heapq.heapify(ready)
         order = []
         while ready:
-            value = heapq.heappop(ready)
+            _, value = heapq.heappop(ready)
             order.append(value)
             for user in users.get(value, ()):
                 needs[user].discard(value)
                 if not needs[user]:
-                    heapq.heappush(ready, user)
+                    heapq.heappush(ready, (places[user], user))
         assert len(order) == len(live), "guards of one part depend on each other"
         return order
+
+    def _placed(self, live: set[int], users: Mapping[int, Sequence[int]]) -> dict[int, int]:
+        """Where every value belongs: named ones in the order of the names, others at first use."""
+        places: dict[int, int] = {}
+
+        def place(value: int) -> int:
+            if value not in places:
+                later = [place(user) for user in users.get(value, ()) if user > value]
+                places[value] = self._places.get(value, min(later, default=len(self.nodes)))
+            return places[value]
+
+        for value in sorted(live, reverse=True):
+            place(value)
+        return places
 
     def _stored(self, value: int) -> bool:
         operation = self.nodes[value].operation

@@ -27,11 +27,11 @@ def _count(expression: ir.Expression) -> int:
 @pytest.mark.parametrize(
     ("case", "budget"),
     [
-        (gps(), (70, 0)),
-        (calibrated_gps(), (101, 0)),
-        (inertial(1), (180, 0)),
-        (inertial(4), (308, 0)),
-        (ranges(), (130, 29)),
+        (gps(), (68, 0)),
+        (calibrated_gps(), (99, 0)),
+        (inertial(1), (161, 0)),
+        (inertial(4), (276, 0)),
+        (ranges(), (128, 28)),
     ],
     ids=["gps", "calibrated gps", "one sample", "four samples", "range"],
 )

@@ -78,53 +78,53 @@ EKF_CAL_GPS_INLINE flag_t gps_known_antenna_kernel(
     const gps_known_antenna_input_t *in,
     gps_known_antenna_output_t *out)
 {
-    const ekf_cal_gps_real_t attitude_twice_y = 2.0 * in->attitude_y;
-    const ekf_cal_gps_real_t attitude_twice_yy = attitude_twice_y * in->attitude_y;
-    const ekf_cal_gps_real_t attitude_twice_z = 2.0 * in->attitude_z;
-    const ekf_cal_gps_real_t attitude_twice_zz = attitude_twice_z * in->attitude_z;
-    const ekf_cal_gps_real_t attitude_00 = 1.0 - attitude_twice_yy - attitude_twice_zz;
-    const ekf_cal_gps_real_t attitude_twice_xy = attitude_twice_y * in->attitude_x;
-    const ekf_cal_gps_real_t attitude_twice_wz = attitude_twice_z * in->attitude_w;
-    const ekf_cal_gps_real_t attitude_01 = attitude_twice_xy - attitude_twice_wz;
-    const ekf_cal_gps_real_t attitude_twice_wy = attitude_twice_y * in->attitude_w;
-    const ekf_cal_gps_real_t attitude_twice_xz = attitude_twice_z * in->attitude_x;
-    const ekf_cal_gps_real_t attitude_02 = attitude_twice_wy + attitude_twice_xz;
-    const ekf_cal_gps_real_t attitude_arm_x = (attitude_00 * in->lever_arm_x) +
-        (attitude_01 * in->lever_arm_y) + (attitude_02 * in->lever_arm_z);
-    const ekf_cal_gps_real_t value_out_x = attitude_arm_x + in->position_x;
-    const ekf_cal_gps_real_t attitude_10 = attitude_twice_wz + attitude_twice_xy;
     const ekf_cal_gps_real_t attitude_twice_x = 2.0 * in->attitude_x;
+    const ekf_cal_gps_real_t attitude_twice_y = 2.0 * in->attitude_y;
+    const ekf_cal_gps_real_t attitude_twice_z = 2.0 * in->attitude_z;
     const ekf_cal_gps_real_t attitude_twice_xx = attitude_twice_x * in->attitude_x;
-    const ekf_cal_gps_real_t t31 = 1.0 - attitude_twice_xx;
-    const ekf_cal_gps_real_t attitude_11 = t31 - attitude_twice_zz;
+    const ekf_cal_gps_real_t attitude_twice_yy = attitude_twice_y * in->attitude_y;
+    const ekf_cal_gps_real_t attitude_twice_zz = attitude_twice_z * in->attitude_z;
+    const ekf_cal_gps_real_t attitude_twice_xy = attitude_twice_y * in->attitude_x;
+    const ekf_cal_gps_real_t attitude_twice_xz = attitude_twice_z * in->attitude_x;
     const ekf_cal_gps_real_t attitude_twice_yz = attitude_twice_z * in->attitude_y;
     const ekf_cal_gps_real_t attitude_twice_wx = attitude_twice_x * in->attitude_w;
+    const ekf_cal_gps_real_t attitude_twice_wy = attitude_twice_y * in->attitude_w;
+    const ekf_cal_gps_real_t attitude_twice_wz = attitude_twice_z * in->attitude_w;
+    const ekf_cal_gps_real_t attitude_00 = 1.0 - attitude_twice_yy - attitude_twice_zz;
+    const ekf_cal_gps_real_t attitude_01 = attitude_twice_xy - attitude_twice_wz;
+    const ekf_cal_gps_real_t attitude_02 = attitude_twice_wy + attitude_twice_xz;
+    const ekf_cal_gps_real_t attitude_10 = attitude_twice_wz + attitude_twice_xy;
+    const ekf_cal_gps_real_t t31 = 1.0 - attitude_twice_xx;
+    const ekf_cal_gps_real_t attitude_11 = t31 - attitude_twice_zz;
     const ekf_cal_gps_real_t attitude_12 = attitude_twice_yz - attitude_twice_wx;
-    const ekf_cal_gps_real_t attitude_arm_y = (attitude_10 * in->lever_arm_x) +
-        (attitude_11 * in->lever_arm_y) + (attitude_12 * in->lever_arm_z);
-    const ekf_cal_gps_real_t value_out_y = attitude_arm_y + in->position_y;
     const ekf_cal_gps_real_t attitude_20 = attitude_twice_xz - attitude_twice_wy;
     const ekf_cal_gps_real_t attitude_21 = attitude_twice_wx + attitude_twice_yz;
     const ekf_cal_gps_real_t attitude_22 = t31 - attitude_twice_yy;
+    const ekf_cal_gps_real_t attitude_arm_x = (attitude_00 * in->lever_arm_x) +
+        (attitude_01 * in->lever_arm_y) + (attitude_02 * in->lever_arm_z);
+    const ekf_cal_gps_real_t attitude_arm_y = (attitude_10 * in->lever_arm_x) +
+        (attitude_11 * in->lever_arm_y) + (attitude_12 * in->lever_arm_z);
     const ekf_cal_gps_real_t attitude_arm_z = (attitude_20 * in->lever_arm_x) +
         (attitude_21 * in->lever_arm_y) + (attitude_22 * in->lever_arm_z);
+    const ekf_cal_gps_real_t value_out_x = attitude_arm_x + in->position_x;
+    const ekf_cal_gps_real_t value_out_y = attitude_arm_y + in->position_y;
     const ekf_cal_gps_real_t value_out_z = attitude_arm_z + in->position_z;
-    const ekf_cal_gps_real_t attitude_arm_by_attitude_x_x = (attitude_02 * in->lever_arm_y) -
-        (attitude_01 * in->lever_arm_z);
-    const ekf_cal_gps_real_t attitude_arm_by_attitude_x_y = (attitude_00 * in->lever_arm_z) -
-        (attitude_02 * in->lever_arm_x);
+    const ekf_cal_gps_real_t attitude_arm_by_attitude_z_y = (attitude_20 * in->lever_arm_z) -
+        (attitude_22 * in->lever_arm_x);
     const ekf_cal_gps_real_t attitude_arm_by_attitude_x_z = (attitude_01 * in->lever_arm_x) -
         (attitude_00 * in->lever_arm_y);
     const ekf_cal_gps_real_t attitude_arm_by_attitude_y_x = (attitude_12 * in->lever_arm_y) -
         (attitude_11 * in->lever_arm_z);
+    const ekf_cal_gps_real_t attitude_arm_by_attitude_x_x = (attitude_02 * in->lever_arm_y) -
+        (attitude_01 * in->lever_arm_z);
+    const ekf_cal_gps_real_t attitude_arm_by_attitude_x_y = (attitude_00 * in->lever_arm_z) -
+        (attitude_02 * in->lever_arm_x);
     const ekf_cal_gps_real_t attitude_arm_by_attitude_y_y = (attitude_10 * in->lever_arm_z) -
         (attitude_12 * in->lever_arm_x);
     const ekf_cal_gps_real_t attitude_arm_by_attitude_y_z = (attitude_11 * in->lever_arm_x) -
         (attitude_10 * in->lever_arm_y);
     const ekf_cal_gps_real_t attitude_arm_by_attitude_z_x = (attitude_22 * in->lever_arm_y) -
         (attitude_21 * in->lever_arm_z);
-    const ekf_cal_gps_real_t attitude_arm_by_attitude_z_y = (attitude_20 * in->lever_arm_z) -
-        (attitude_22 * in->lever_arm_x);
     const ekf_cal_gps_real_t attitude_arm_by_attitude_z_z = (attitude_21 * in->lever_arm_x) -
         (attitude_20 * in->lever_arm_y);
 

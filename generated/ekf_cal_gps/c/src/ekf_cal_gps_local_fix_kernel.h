@@ -79,172 +79,181 @@ EKF_CAL_GPS_INLINE flag_t local_fix_load(
 EKF_CAL_GPS_INLINE flag_t local_fix_kernel(const local_fix_input_t *in, local_fix_output_t *out)
 {
     const ekf_cal_gps_real_t heading_cosine = cos(in->heading);
-    const ekf_cal_gps_real_t cos_latitude = cos(in->fix_latitude);
+    const ekf_cal_gps_real_t heading_sine = sin(in->heading);
+    const ekf_cal_gps_real_t t44 = 0.5 * in->fix_latitude;
+    const ekf_cal_gps_real_t t45 = 0.5 * in->reference_2_latitude;
+    const ekf_cal_gps_real_t half_latitude_change = t44 - t45;
+    const ekf_cal_gps_real_t half_longitude_change = (0.5 * in->fix_longitude) -
+        (0.5 * in->reference_2_longitude);
+    const ekf_cal_gps_real_t mean_latitude = t44 + t45;
+    const ekf_cal_gps_real_t s_half = sin(half_latitude_change);
+    const ekf_cal_gps_real_t s_mean = sin(mean_latitude);
+    const ekf_cal_gps_real_t c_mean = cos(mean_latitude);
+    const ekf_cal_gps_real_t sin_reference = sin(in->reference_2_latitude);
+    const ekf_cal_gps_real_t cos_reference = cos(in->reference_2_latitude);
     const ekf_cal_gps_real_t sin_latitude = sin(in->fix_latitude);
+    const ekf_cal_gps_real_t cos_latitude = cos(in->fix_latitude);
     const ekf_cal_gps_real_t w_deficit = 0.006694379990141317 * (sin_latitude * sin_latitude);
     const ekf_cal_gps_real_t w_squared = 1.0 - w_deficit;
     const ekf_cal_gps_real_t w = sqrt(w_squared);
     const ekf_cal_gps_real_t inverse_w = 1.0 / w;  /* shared reciprocal */
-    const ekf_cal_gps_real_t normal = 6378137.0 * inverse_w;
-    const ekf_cal_gps_real_t axis_distance_by_cos_latitude = in->fix_height + normal;
-    const ekf_cal_gps_real_t axis_distance = cos_latitude * axis_distance_by_cos_latitude;
-    const ekf_cal_gps_real_t t16 = 2.0 * axis_distance;
-    const ekf_cal_gps_real_t half_longitude_change = (0.5 * in->fix_longitude) -
-        (0.5 * in->reference_2_longitude);
-    const ekf_cal_gps_real_t c_half_lon = cos(half_longitude_change);
-    const ekf_cal_gps_real_t east_by_s_half_lon = t16 * c_half_lon;
-    const ekf_cal_gps_real_t s_half_lon = sin(half_longitude_change);
-    const ekf_cal_gps_real_t east = east_by_s_half_lon * s_half_lon;
-    const ekf_cal_gps_real_t heading_sine = sin(in->heading);
-    const ekf_cal_gps_real_t cos_reference = cos(in->reference_2_latitude);
-    const ekf_cal_gps_real_t sin_reference = sin(in->reference_2_latitude);
-    const ekf_cal_gps_real_t height_change = in->fix_height - in->reference_2_height;
     const ekf_cal_gps_real_t w_reference_deficit = 0.006694379990141317 *
         (sin_reference * sin_reference);
     const ekf_cal_gps_real_t w_reference_squared = 1.0 - w_reference_deficit;
     const ekf_cal_gps_real_t w_reference = sqrt(w_reference_squared);
+    const ekf_cal_gps_real_t normal = 6378137.0 * inverse_w;
+    const ekf_cal_gps_real_t c_half = cos(half_latitude_change);
     const ekf_cal_gps_real_t t40 = w * w_reference;
     const ekf_cal_gps_real_t t41 = w + w_reference;
     const ekf_cal_gps_real_t w_product = t40 * t41;
-    const ekf_cal_gps_real_t t43 = 170790.69082871987 / w_product;
-    const ekf_cal_gps_real_t t44 = 0.5 * in->fix_latitude;
-    const ekf_cal_gps_real_t t45 = 0.5 * in->reference_2_latitude;
-    const ekf_cal_gps_real_t half_latitude_change = t44 - t45;
-    const ekf_cal_gps_real_t c_half = cos(half_latitude_change);
-    const ekf_cal_gps_real_t mean_latitude = t44 + t45;
-    const ekf_cal_gps_real_t c_mean = cos(mean_latitude);
-    const ekf_cal_gps_real_t t50 = c_half * c_mean;
-    const ekf_cal_gps_real_t s_half = sin(half_latitude_change);
-    const ekf_cal_gps_real_t sine_product_by_s_mean = t50 * s_half;
-    const ekf_cal_gps_real_t s_mean = sin(mean_latitude);
-    const ekf_cal_gps_real_t sine_product = sine_product_by_s_mean * s_mean;
-    const ekf_cal_gps_real_t normal_change = t43 * sine_product;
-    const ekf_cal_gps_real_t t59 = 2.0 * c_mean;
+    const ekf_cal_gps_real_t height_change = in->fix_height - in->reference_2_height;
+    const ekf_cal_gps_real_t s_half_lon = sin(half_longitude_change);
+    const ekf_cal_gps_real_t c_half_lon = cos(half_longitude_change);
     const ekf_cal_gps_real_t polar_normal = in->fix_height + (0.9933056200098587 * normal);
+    const ekf_cal_gps_real_t rise_by_c_mean = 2.0 * polar_normal * s_half;
+    const ekf_cal_gps_real_t rise_by_normal_change = 0.9933056200098587 * sin_reference;
+    const ekf_cal_gps_real_t t59 = 2.0 * c_mean;
+    const ekf_cal_gps_real_t rise_by_polar_normal = t59 * s_half;
     const ekf_cal_gps_real_t rise_by_s_half = t59 * polar_normal;
+    const ekf_cal_gps_real_t w_by_w_squared = 0.5 * inverse_w;
+    const ekf_cal_gps_real_t w_deficit_by_sin_latitude = 0.013388759980282635 * sin_latitude;
+    const ekf_cal_gps_real_t normal_change_by_sine_product = 170790.69082871987 / w_product;
+    const ekf_cal_gps_real_t sine_product_by_c_half = c_mean * s_half * s_mean;
+    const ekf_cal_gps_real_t sine_product_by_c_mean = c_half * s_half * s_mean;
+    const ekf_cal_gps_real_t t50 = c_half * c_mean;
+    const ekf_cal_gps_real_t sine_product_by_s_half = t50 * s_mean;
+    const ekf_cal_gps_real_t sine_product_by_s_mean = t50 * s_half;
+    const ekf_cal_gps_real_t sine_product = sine_product_by_s_mean * s_mean;
+    const ekf_cal_gps_real_t normal_change = normal_change_by_sine_product * sine_product;
     const ekf_cal_gps_real_t rise =
         (sin_reference * (height_change + (0.9933056200098587 * normal_change))) +
         (rise_by_s_half * s_half);
+    const ekf_cal_gps_real_t normal_change_by_inverse_w_product = 170790.69082871987 * sine_product;
+    const ekf_cal_gps_real_t w_product_by_w = t40 + (w_reference * t41);
+    const ekf_cal_gps_real_t sagitta_by_axis_distance = s_half_lon * s_half_lon;
+    const ekf_cal_gps_real_t axis_distance_by_cos_latitude = in->fix_height + normal;
+    const ekf_cal_gps_real_t axis_distance = cos_latitude * axis_distance_by_cos_latitude;
     const ekf_cal_gps_real_t outward = (cos_reference * (height_change + normal_change)) -
         (2.0 * s_half * s_mean * axis_distance_by_cos_latitude);
-    const ekf_cal_gps_real_t sagitta_by_axis_distance = s_half_lon * s_half_lon;
     const ekf_cal_gps_real_t sagitta = axis_distance * sagitta_by_axis_distance;
     const ekf_cal_gps_real_t inward = outward - (2.0 * sagitta);
     const ekf_cal_gps_real_t north = (cos_reference * rise) - (inward * sin_reference);
+    const ekf_cal_gps_real_t up = (cos_reference * inward) + (rise * sin_reference);
+    const ekf_cal_gps_real_t t16 = 2.0 * axis_distance;
+    const ekf_cal_gps_real_t sagitta_by_s_half_lon = t16 * s_half_lon;
+    const ekf_cal_gps_real_t t144 = (-2.0) * s_half;
+    const ekf_cal_gps_real_t outward_by_fix_z = t144 * s_mean;
+    const ekf_cal_gps_real_t outward_by_s_half = (-2.0) * s_mean * axis_distance_by_cos_latitude;
+    const ekf_cal_gps_real_t outward_by_s_mean = t144 * axis_distance_by_cos_latitude;
+    const ekf_cal_gps_real_t east_by_axis_distance = 2.0 * c_half_lon * s_half_lon;
+    const ekf_cal_gps_real_t east_by_s_half_lon = t16 * c_half_lon;
+    const ekf_cal_gps_real_t east = east_by_s_half_lon * s_half_lon;
     const ekf_cal_gps_real_t local_x = (heading_cosine * east) - (heading_sine * north);
     const ekf_cal_gps_real_t local_y = (heading_cosine * north) + (heading_sine * east);
-    const ekf_cal_gps_real_t up = (cos_reference * inward) + (rise * sin_reference);
-    const ekf_cal_gps_real_t w_by_w_squared = 0.5 * inverse_w;
-    const ekf_cal_gps_real_t w_deficit_by_fix_x = 0.013388759980282635 * cos_latitude *
-        sin_latitude;
-    const ekf_cal_gps_real_t t91 = w_by_w_squared * w_deficit_by_fix_x;
-    const ekf_cal_gps_real_t inverse_w_by_fix_x = t91 / w_squared;
-    const ekf_cal_gps_real_t axis_distance_by_fix_x_2 =
-        (6378137.0 * cos_latitude * inverse_w_by_fix_x) -
-        (axis_distance_by_cos_latitude * sin_latitude);
-    const ekf_cal_gps_real_t east_by_axis_distance = 2.0 * c_half_lon * s_half_lon;
-    const ekf_cal_gps_real_t east_by_fix_x = axis_distance_by_fix_x_2 * east_by_axis_distance;
-    const ekf_cal_gps_real_t t100 = 0.5 * c_half;
-    const ekf_cal_gps_real_t rise_by_fix_x = t100 * rise_by_s_half;
-    const ekf_cal_gps_real_t rise_by_c_mean = 2.0 * polar_normal * s_half;
-    const ekf_cal_gps_real_t rise_by_fix_x_2 = rise_by_fix_x - (0.5 * rise_by_c_mean * s_mean);
-    const ekf_cal_gps_real_t sine_product_by_s_half = t50 * s_mean;
-    const ekf_cal_gps_real_t sine_product_by_fix_x = t100 * sine_product_by_s_half;
-    const ekf_cal_gps_real_t t109 = 0.5 * c_mean;
+    const ekf_cal_gps_real_t s_half_by_fix_x = 0.5 * c_half;
+    const ekf_cal_gps_real_t c_half_by_fix_x = (-0.5) * s_half;
+    const ekf_cal_gps_real_t s_half_lon_by_fix_y = 0.5 * c_half_lon;
+    const ekf_cal_gps_real_t c_half_lon_by_fix_y = (-0.5) * s_half_lon;
+    const ekf_cal_gps_real_t s_mean_by_fix_x = 0.5 * c_mean;
+    const ekf_cal_gps_real_t c_mean_by_fix_x = (-0.5) * s_mean;
+    const ekf_cal_gps_real_t rise_by_fix_x = rise_by_s_half * s_half_by_fix_x;
+    const ekf_cal_gps_real_t sine_product_by_fix_x = s_half_by_fix_x * sine_product_by_s_half;
+    const ekf_cal_gps_real_t outward_by_fix_x = outward_by_s_half * s_half_by_fix_x;
     const ekf_cal_gps_real_t sine_product_by_fix_x_2 = sine_product_by_fix_x +
-        (t109 * sine_product_by_s_mean);
-    const ekf_cal_gps_real_t sine_product_by_c_mean = c_half * s_half * s_mean;
-    const ekf_cal_gps_real_t sine_product_by_fix_x_3 = sine_product_by_fix_x_2 -
-        (0.5 * s_mean * sine_product_by_c_mean);
-    const ekf_cal_gps_real_t sine_product_by_c_half = c_mean * s_half * s_mean;
-    const ekf_cal_gps_real_t sine_product_by_fix_x_4 = sine_product_by_fix_x_3 -
-        (0.5 * s_half * sine_product_by_c_half);
-    const ekf_cal_gps_real_t normal_change_by_fix_x = t43 * sine_product_by_fix_x_4;
-    const ekf_cal_gps_real_t w_product_by_w = t40 + (w_reference * t41);
-    const ekf_cal_gps_real_t inverse_w_product_by_fix_x = (t91 * w_product_by_w) /
+        (s_mean_by_fix_x * sine_product_by_s_mean);
+    const ekf_cal_gps_real_t outward_by_fix_x_2 = outward_by_fix_x +
+        (outward_by_s_mean * s_mean_by_fix_x);
+    const ekf_cal_gps_real_t rise_by_fix_x_2 = rise_by_fix_x + (c_mean_by_fix_x * rise_by_c_mean);
+    const ekf_cal_gps_real_t sine_product_by_fix_x_3 = sine_product_by_fix_x_2 +
+        (c_mean_by_fix_x * sine_product_by_c_mean);
+    const ekf_cal_gps_real_t w_deficit_by_fix_x = cos_latitude * w_deficit_by_sin_latitude;
+    const ekf_cal_gps_real_t t90 = w_by_w_squared * w_deficit_by_fix_x;
+    const ekf_cal_gps_real_t inverse_w_by_fix_x = t90 / w_squared;
+    const ekf_cal_gps_real_t normal_by_fix_x = 6378137.0 * inverse_w_by_fix_x;
+    const ekf_cal_gps_real_t polar_normal_by_fix_x = 6335439.3272928195 * inverse_w_by_fix_x;
+    const ekf_cal_gps_real_t axis_distance_by_fix_x_2 = (cos_latitude * normal_by_fix_x) -
+        (axis_distance_by_cos_latitude * sin_latitude);
+    const ekf_cal_gps_real_t outward_by_fix_x_3 = outward_by_fix_x_2 +
+        (normal_by_fix_x * outward_by_fix_z);
+    const ekf_cal_gps_real_t sine_product_by_fix_x_4 = sine_product_by_fix_x_3 +
+        (c_half_by_fix_x * sine_product_by_c_half);
+    const ekf_cal_gps_real_t normal_change_by_fix_x = normal_change_by_sine_product *
+        sine_product_by_fix_x_4;
+    const ekf_cal_gps_real_t inverse_w_product_by_fix_x = (t90 * w_product_by_w) /
         (w_product * w_product);
     const ekf_cal_gps_real_t normal_change_by_fix_x_2 = normal_change_by_fix_x +
-        (170790.69082871987 * inverse_w_product_by_fix_x * sine_product);
+        (inverse_w_product_by_fix_x * normal_change_by_inverse_w_product);
     const ekf_cal_gps_real_t rise_by_fix_x_3 = rise_by_fix_x_2 +
-        (0.9933056200098587 * normal_change_by_fix_x_2 * sin_reference);
-    const ekf_cal_gps_real_t rise_by_polar_normal = t59 * s_half;
-    const ekf_cal_gps_real_t rise_by_fix_x_4 = rise_by_fix_x_3 +
-        (6335439.3272928195 * inverse_w_by_fix_x * rise_by_polar_normal);
-    const ekf_cal_gps_real_t outward_by_s_half = (-2.0) * s_mean * axis_distance_by_cos_latitude;
-    const ekf_cal_gps_real_t outward_by_fix_x = t100 * outward_by_s_half;
-    const ekf_cal_gps_real_t t144 = (-2.0) * s_half;
-    const ekf_cal_gps_real_t outward_by_s_mean = t144 * axis_distance_by_cos_latitude;
-    const ekf_cal_gps_real_t outward_by_fix_x_2 = outward_by_fix_x + (t109 * outward_by_s_mean);
-    const ekf_cal_gps_real_t outward_by_fix_z = t144 * s_mean;
-    const ekf_cal_gps_real_t outward_by_fix_x_3 = outward_by_fix_x_2 +
-        (6378137.0 * inverse_w_by_fix_x * outward_by_fix_z);
+        (normal_change_by_fix_x_2 * rise_by_normal_change);
     const ekf_cal_gps_real_t outward_by_fix_x_4 = outward_by_fix_x_3 +
         (cos_reference * normal_change_by_fix_x_2);
+    const ekf_cal_gps_real_t outward_by_fix_z_2 = cos_reference + outward_by_fix_z;
     const ekf_cal_gps_real_t sagitta_by_fix_x = axis_distance_by_fix_x_2 * sagitta_by_axis_distance;
+    const ekf_cal_gps_real_t sagitta_by_fix_z = cos_latitude * sagitta_by_axis_distance;
+    const ekf_cal_gps_real_t east_by_fix_x = axis_distance_by_fix_x_2 * east_by_axis_distance;
+    const ekf_cal_gps_real_t east_by_fix_z = cos_latitude * east_by_axis_distance;
+    const ekf_cal_gps_real_t sagitta_by_fix_y = s_half_lon_by_fix_y * sagitta_by_s_half_lon;
+    const ekf_cal_gps_real_t east_by_fix_y = east_by_s_half_lon * s_half_lon_by_fix_y;
+    const ekf_cal_gps_real_t east_by_fix_y_2 = east_by_fix_y +
+        (c_half_lon_by_fix_y * sagitta_by_s_half_lon);
     const ekf_cal_gps_real_t inward_by_fix_x = outward_by_fix_x_4 - (2.0 * sagitta_by_fix_x);
+    const ekf_cal_gps_real_t inward_by_fix_y = (-2.0) * sagitta_by_fix_y;
+    const ekf_cal_gps_real_t inward_by_fix_z = outward_by_fix_z_2 - (2.0 * sagitta_by_fix_z);
+    const ekf_cal_gps_real_t up_by_fix_x = cos_reference * inward_by_fix_x;
+    const ekf_cal_gps_real_t up_by_fix_y = cos_reference * inward_by_fix_y;
+    const ekf_cal_gps_real_t up_by_fix_z = cos_reference * inward_by_fix_z;
+    const ekf_cal_gps_real_t rise_by_fix_x_4 = rise_by_fix_x_3 +
+        (polar_normal_by_fix_x * rise_by_polar_normal);
+    const ekf_cal_gps_real_t rise_by_fix_z = rise_by_polar_normal + sin_reference;
+    const ekf_cal_gps_real_t up_by_fix_x_2 = up_by_fix_x + (rise_by_fix_x_4 * sin_reference);
+    const ekf_cal_gps_real_t up_by_fix_z_2 = up_by_fix_z + (rise_by_fix_z * sin_reference);
     const ekf_cal_gps_real_t north_by_fix_x_2 = (cos_reference * rise_by_fix_x_4) -
         (inward_by_fix_x * sin_reference);
-    const ekf_cal_gps_real_t local_by_fix_x_x = (east_by_fix_x * heading_cosine) -
-        (heading_sine * north_by_fix_x_2);
-    const ekf_cal_gps_real_t t161 = 0.5 * c_half_lon;
-    const ekf_cal_gps_real_t east_by_fix_y = t161 * east_by_s_half_lon;
-    const ekf_cal_gps_real_t sagitta_by_s_half_lon = t16 * s_half_lon;
-    const ekf_cal_gps_real_t east_by_fix_y_2 = east_by_fix_y -
-        (0.5 * s_half_lon * sagitta_by_s_half_lon);
-    const ekf_cal_gps_real_t sagitta_by_fix_y = t161 * sagitta_by_s_half_lon;
-    const ekf_cal_gps_real_t north_by_fix_y = 2.0 * sagitta_by_fix_y * sin_reference;
-    const ekf_cal_gps_real_t local_by_fix_x_y = (east_by_fix_y_2 * heading_cosine) -
-        (heading_sine * north_by_fix_y);
-    const ekf_cal_gps_real_t east_by_fix_z = cos_latitude * east_by_axis_distance;
-    const ekf_cal_gps_real_t rise_by_fix_z = rise_by_polar_normal + sin_reference;
-    const ekf_cal_gps_real_t outward_by_fix_z_2 = cos_reference + outward_by_fix_z;
-    const ekf_cal_gps_real_t sagitta_by_fix_z = cos_latitude * sagitta_by_axis_distance;
-    const ekf_cal_gps_real_t inward_by_fix_z = outward_by_fix_z_2 - (2.0 * sagitta_by_fix_z);
     const ekf_cal_gps_real_t north_by_fix_z_2 = (cos_reference * rise_by_fix_z) -
         (inward_by_fix_z * sin_reference);
     const ekf_cal_gps_real_t local_by_fix_x_z = (east_by_fix_z * heading_cosine) -
         (heading_sine * north_by_fix_z_2);
     const ekf_cal_gps_real_t local_by_fix_y_x = (east_by_fix_x * heading_sine) +
         (heading_cosine * north_by_fix_x_2);
-    const ekf_cal_gps_real_t local_by_fix_y_y = (east_by_fix_y_2 * heading_sine) +
-        (heading_cosine * north_by_fix_y);
+    const ekf_cal_gps_real_t local_by_fix_x_x = (east_by_fix_x * heading_cosine) -
+        (heading_sine * north_by_fix_x_2);
+    const ekf_cal_gps_real_t t169 = inward_by_fix_y * sin_reference;
+    const ekf_cal_gps_real_t local_by_fix_x_y = (east_by_fix_y_2 * heading_cosine) +
+        (heading_sine * t169);
+    const ekf_cal_gps_real_t local_by_fix_y_y = (east_by_fix_y_2 * heading_sine) -
+        (heading_cosine * t169);
     const ekf_cal_gps_real_t local_by_fix_y_z = (east_by_fix_z * heading_sine) +
         (heading_cosine * north_by_fix_z_2);
-    const ekf_cal_gps_real_t up_by_fix_x = cos_reference * inward_by_fix_x;
-    const ekf_cal_gps_real_t up_by_fix_x_2 = up_by_fix_x + (rise_by_fix_x_4 * sin_reference);
-    const ekf_cal_gps_real_t up_by_fix_y = (-2.0) * cos_reference * sagitta_by_fix_y;
-    const ekf_cal_gps_real_t up_by_fix_z = cos_reference * inward_by_fix_z;
-    const ekf_cal_gps_real_t up_by_fix_z_2 = up_by_fix_z + (rise_by_fix_z * sin_reference);
     const ekf_cal_gps_real_t value_covariance_half_0 = (in->covariance_2_0 * local_by_fix_x_x) +
         (in->covariance_2_3 * local_by_fix_x_y) + (in->covariance_2_6 * local_by_fix_x_z);
     const ekf_cal_gps_real_t value_covariance_half_1 = (in->covariance_2_1 * local_by_fix_x_x) +
         (in->covariance_2_4 * local_by_fix_x_y) + (in->covariance_2_7 * local_by_fix_x_z);
     const ekf_cal_gps_real_t value_covariance_half_2 = (in->covariance_2_2 * local_by_fix_x_x) +
         (in->covariance_2_5 * local_by_fix_x_y) + (in->covariance_2_8 * local_by_fix_x_z);
-    const ekf_cal_gps_real_t value_covariance_out_0 = (local_by_fix_x_x * value_covariance_half_0) +
-        (local_by_fix_x_y * value_covariance_half_1) + (local_by_fix_x_z * value_covariance_half_2);
-    const ekf_cal_gps_real_t value_covariance_out_1 = (local_by_fix_y_x * value_covariance_half_0) +
-        (local_by_fix_y_y * value_covariance_half_1) + (local_by_fix_y_z * value_covariance_half_2);
-    const ekf_cal_gps_real_t value_covariance_out_2 = (up_by_fix_x_2 * value_covariance_half_0) +
-        (up_by_fix_y * value_covariance_half_1) + (up_by_fix_z_2 * value_covariance_half_2);
     const ekf_cal_gps_real_t value_covariance_half_3 = (in->covariance_2_0 * local_by_fix_y_x) +
         (in->covariance_2_3 * local_by_fix_y_y) + (in->covariance_2_6 * local_by_fix_y_z);
     const ekf_cal_gps_real_t value_covariance_half_4 = (in->covariance_2_1 * local_by_fix_y_x) +
         (in->covariance_2_4 * local_by_fix_y_y) + (in->covariance_2_7 * local_by_fix_y_z);
     const ekf_cal_gps_real_t value_covariance_half_5 = (in->covariance_2_2 * local_by_fix_y_x) +
         (in->covariance_2_5 * local_by_fix_y_y) + (in->covariance_2_8 * local_by_fix_y_z);
-    const ekf_cal_gps_real_t value_covariance_out_3 = (local_by_fix_x_x * value_covariance_half_3) +
-        (local_by_fix_x_y * value_covariance_half_4) + (local_by_fix_x_z * value_covariance_half_5);
-    const ekf_cal_gps_real_t value_covariance_out_4 = (local_by_fix_y_x * value_covariance_half_3) +
-        (local_by_fix_y_y * value_covariance_half_4) + (local_by_fix_y_z * value_covariance_half_5);
-    const ekf_cal_gps_real_t value_covariance_out_5 = (up_by_fix_x_2 * value_covariance_half_3) +
-        (up_by_fix_y * value_covariance_half_4) + (up_by_fix_z_2 * value_covariance_half_5);
     const ekf_cal_gps_real_t value_covariance_half_6 = (in->covariance_2_0 * up_by_fix_x_2) +
         (in->covariance_2_3 * up_by_fix_y) + (in->covariance_2_6 * up_by_fix_z_2);
     const ekf_cal_gps_real_t value_covariance_half_7 = (in->covariance_2_1 * up_by_fix_x_2) +
         (in->covariance_2_4 * up_by_fix_y) + (in->covariance_2_7 * up_by_fix_z_2);
     const ekf_cal_gps_real_t value_covariance_half_8 = (in->covariance_2_2 * up_by_fix_x_2) +
         (in->covariance_2_5 * up_by_fix_y) + (in->covariance_2_8 * up_by_fix_z_2);
+    const ekf_cal_gps_real_t value_covariance_out_0 = (local_by_fix_x_x * value_covariance_half_0) +
+        (local_by_fix_x_y * value_covariance_half_1) + (local_by_fix_x_z * value_covariance_half_2);
+    const ekf_cal_gps_real_t value_covariance_out_1 = (local_by_fix_y_x * value_covariance_half_0) +
+        (local_by_fix_y_y * value_covariance_half_1) + (local_by_fix_y_z * value_covariance_half_2);
+    const ekf_cal_gps_real_t value_covariance_out_2 = (up_by_fix_x_2 * value_covariance_half_0) +
+        (up_by_fix_y * value_covariance_half_1) + (up_by_fix_z_2 * value_covariance_half_2);
+    const ekf_cal_gps_real_t value_covariance_out_3 = (local_by_fix_x_x * value_covariance_half_3) +
+        (local_by_fix_x_y * value_covariance_half_4) + (local_by_fix_x_z * value_covariance_half_5);
+    const ekf_cal_gps_real_t value_covariance_out_4 = (local_by_fix_y_x * value_covariance_half_3) +
+        (local_by_fix_y_y * value_covariance_half_4) + (local_by_fix_y_z * value_covariance_half_5);
+    const ekf_cal_gps_real_t value_covariance_out_5 = (up_by_fix_x_2 * value_covariance_half_3) +
+        (up_by_fix_y * value_covariance_half_4) + (up_by_fix_z_2 * value_covariance_half_5);
     const ekf_cal_gps_real_t value_covariance_out_6 = (local_by_fix_x_x * value_covariance_half_6) +
         (local_by_fix_x_y * value_covariance_half_7) + (local_by_fix_x_z * value_covariance_half_8);
     const ekf_cal_gps_real_t value_covariance_out_7 = (local_by_fix_y_x * value_covariance_half_6) +

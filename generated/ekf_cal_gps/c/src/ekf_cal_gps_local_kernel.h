@@ -156,22 +156,25 @@ EKF_CAL_GPS_INLINE flag_t local_load(
 /* Error between two states: values and structural non-zeros. */
 EKF_CAL_GPS_INLINE flag_t local_kernel(const local_input_t *in, local_output_t *out)
 {
-    const ekf_cal_gps_real_t attitude_log_of_x = (in->attitude_w * in->attitude_x_2) +
-        (in->attitude_z * in->attitude_y_2) - (in->attitude_x * in->attitude_w_2) -
-        (in->attitude_y * in->attitude_z_2);
-    const ekf_cal_gps_real_t attitude_log_of_y = (in->attitude_w * in->attitude_y_2) +
-        (in->attitude_x * in->attitude_z_2) - (in->attitude_y * in->attitude_w_2) -
-        (in->attitude_z * in->attitude_x_2);
-    const ekf_cal_gps_real_t attitude_log_of_z = (in->attitude_w * in->attitude_z_2) +
-        (in->attitude_y * in->attitude_x_2) - (in->attitude_x * in->attitude_y_2) -
-        (in->attitude_z * in->attitude_w_2);
-    const ekf_cal_gps_real_t attitude_log_sine_squared = (attitude_log_of_x * attitude_log_of_x) +
-        (attitude_log_of_y * attitude_log_of_y) + (attitude_log_of_z * attitude_log_of_z);
     const ekf_cal_gps_real_t attitude_log_of_w = (in->attitude_w * in->attitude_w_2) +
-        (in->attitude_x * in->attitude_x_2) + (in->attitude_y * in->attitude_y_2) +
-        (in->attitude_z * in->attitude_z_2);
+        (in->attitude_x * in->attitude_x_2) +
+        ((in->attitude_y * in->attitude_y_2) + (in->attitude_z * in->attitude_z_2));
+    const ekf_cal_gps_real_t attitude_log_of_x = (in->attitude_w * in->attitude_x_2) -
+        (in->attitude_x * in->attitude_w_2) +
+        ((in->attitude_z * in->attitude_y_2) - (in->attitude_y * in->attitude_z_2));
+    const ekf_cal_gps_real_t attitude_log_of_y = (in->attitude_w * in->attitude_y_2) -
+        (in->attitude_y * in->attitude_w_2) +
+        ((in->attitude_x * in->attitude_z_2) - (in->attitude_z * in->attitude_x_2));
+    const ekf_cal_gps_real_t attitude_log_of_z = (in->attitude_w * in->attitude_z_2) -
+        (in->attitude_x * in->attitude_y_2) +
+        ((in->attitude_y * in->attitude_x_2) - (in->attitude_z * in->attitude_w_2));
     const ekf_cal_gps_real_t attitude_log_sign = (attitude_log_of_w < 0.0) ? (-1.0) : 1.0;
     const ekf_cal_gps_real_t attitude_log_w = attitude_log_of_w * attitude_log_sign;
+    const ekf_cal_gps_real_t attitude_log_sine_squared = (attitude_log_of_x * attitude_log_of_x) +
+        (attitude_log_of_y * attitude_log_of_y) + (attitude_log_of_z * attitude_log_of_z);
+    const ekf_cal_gps_real_t attitude_log_safe_squared = (attitude_log_sine_squared < 0.01) ? 1.0 :
+        attitude_log_sine_squared;
+    const ekf_cal_gps_real_t attitude_log_sine = sqrt(attitude_log_safe_squared);
     const ekf_cal_gps_real_t attitude_log_cosine = (attitude_log_sine_squared < 0.01) ?
         attitude_log_w : 1.0;
     const ekf_cal_gps_real_t attitude_log_tangent_squared = attitude_log_sine_squared /
@@ -185,9 +188,6 @@ EKF_CAL_GPS_INLINE flag_t local_kernel(const local_input_t *in, local_output_t *
         ((attitude_log_tangent_squared * (0.1111111111111111 + t97)) - 0.14285714285714285)))) -
         0.3333333333333333;
     const ekf_cal_gps_real_t attitude_log_series = 1.0 + (attitude_log_tangent_squared * t106);
-    const ekf_cal_gps_real_t attitude_log_safe_squared = (attitude_log_sine_squared < 0.01) ? 1.0 :
-        attitude_log_sine_squared;
-    const ekf_cal_gps_real_t attitude_log_sine = sqrt(attitude_log_safe_squared);
     const ekf_cal_gps_real_t attitude_log_far = (2.0 * atan2(attitude_log_sine, attitude_log_w)) /
         attitude_log_sine;
     const ekf_cal_gps_real_t attitude_log_scale = (attitude_log_sine_squared < 0.01) ?

@@ -154,23 +154,23 @@ EKF_CAL_GPS_INLINE flag_t retract_kernel(const retract_input_t *in, retract_outp
 {
     const ekf_cal_gps_real_t attitude_exp_angle_squared = (in->attitude_x_2 * in->attitude_x_2) +
         (in->attitude_y_2 * in->attitude_y_2) + (in->attitude_z_2 * in->attitude_z_2);
+    const ekf_cal_gps_real_t attitude_exp_safe_squared = (attitude_exp_angle_squared < 0.01) ? 1.0 :
+        attitude_exp_angle_squared;
+    const ekf_cal_gps_real_t attitude_exp_angle = sqrt(attitude_exp_safe_squared);
     const ekf_cal_gps_real_t t48 = attitude_exp_angle_squared * ((attitude_exp_angle_squared *
         (0.0026041666666666665 + (attitude_exp_angle_squared *
         ((9.68812003968254e-08 * attitude_exp_angle_squared) - 2.170138888888889e-05)))) - 0.125);
     const ekf_cal_gps_real_t attitude_exp_near_cosine = 1.0 + t48;
-    const ekf_cal_gps_real_t attitude_exp_safe_squared = (attitude_exp_angle_squared < 0.01) ? 1.0 :
-        attitude_exp_angle_squared;
-    const ekf_cal_gps_real_t attitude_exp_angle = sqrt(attitude_exp_safe_squared);
-    const ekf_cal_gps_real_t attitude_exp_half = 0.5 * attitude_exp_angle;
-    const ekf_cal_gps_real_t attitude_exp_far_cosine = cos(attitude_exp_half);
-    const ekf_cal_gps_real_t attitude_exp_cosine = (attitude_exp_angle_squared < 0.01) ?
-        attitude_exp_near_cosine : attitude_exp_far_cosine;
     const ekf_cal_gps_real_t t73 = attitude_exp_angle_squared * ((attitude_exp_angle_squared *
         (0.00026041666666666666 + (attitude_exp_angle_squared *
         ((5.382288910934745e-09 * attitude_exp_angle_squared) - 1.5500992063492063e-06)))) -
         0.020833333333333332);
     const ekf_cal_gps_real_t attitude_exp_near_sinc = 0.5 + t73;
+    const ekf_cal_gps_real_t attitude_exp_half = 0.5 * attitude_exp_angle;
+    const ekf_cal_gps_real_t attitude_exp_far_cosine = cos(attitude_exp_half);
     const ekf_cal_gps_real_t attitude_exp_far_sinc = sin(attitude_exp_half) / attitude_exp_angle;
+    const ekf_cal_gps_real_t attitude_exp_cosine = (attitude_exp_angle_squared < 0.01) ?
+        attitude_exp_near_cosine : attitude_exp_far_cosine;
     const ekf_cal_gps_real_t attitude_exp_sinc = (attitude_exp_angle_squared < 0.01) ?
         attitude_exp_near_sinc : attitude_exp_far_sinc;
     const ekf_cal_gps_real_t attitude_step_x = attitude_exp_sinc * in->attitude_x_2;
@@ -188,16 +188,16 @@ EKF_CAL_GPS_INLINE flag_t retract_kernel(const retract_input_t *in, retract_outp
     out->value[8] = in->acceleration_z + in->acceleration_z_2;  /* acceleration z */
     /* attitude w */
     out->value[9] = (attitude_exp_cosine * in->attitude_w) - (attitude_step_x * in->attitude_x) -
-        (attitude_step_y * in->attitude_y) - (attitude_step_z * in->attitude_z);
+        ((attitude_step_y * in->attitude_y) + (attitude_step_z * in->attitude_z));
     /* attitude x */
     out->value[10] = (attitude_exp_cosine * in->attitude_x) + (attitude_step_x * in->attitude_w) +
-        (attitude_step_z * in->attitude_y) - (attitude_step_y * in->attitude_z);
+        ((attitude_step_z * in->attitude_y) - (attitude_step_y * in->attitude_z));
     /* attitude y */
     out->value[11] = (attitude_exp_cosine * in->attitude_y) + (attitude_step_x * in->attitude_z) +
-        (attitude_step_y * in->attitude_w) - (attitude_step_z * in->attitude_x);
+        ((attitude_step_y * in->attitude_w) - (attitude_step_z * in->attitude_x));
     /* attitude z */
     out->value[12] = (attitude_exp_cosine * in->attitude_z) + (attitude_step_y * in->attitude_x) +
-        (attitude_step_z * in->attitude_w) - (attitude_step_x * in->attitude_y);
+        ((attitude_step_z * in->attitude_w) - (attitude_step_x * in->attitude_y));
     out->value[13] = in->angular_rate_x + in->angular_rate_x_2;  /* angular_rate x */
     out->value[14] = in->angular_rate_y + in->angular_rate_y_2;  /* angular_rate y */
     out->value[15] = in->angular_rate_z + in->angular_rate_z_2;  /* angular_rate z */

@@ -88,70 +88,72 @@ EKF_CAL_ONLINE_INLINE flag_t gps_1_load(
 /* Position of a GNSS antenna: values and structural non-zeros. */
 EKF_CAL_ONLINE_INLINE flag_t gps_1_kernel(const gps_1_input_t *in, gps_1_output_t *out)
 {
-    const ekf_cal_online_real_t attitude_twice_y = 2.0 * in->attitude_y;
-    const ekf_cal_online_real_t attitude_twice_yy = attitude_twice_y * in->attitude_y;
-    const ekf_cal_online_real_t attitude_twice_z = 2.0 * in->attitude_z;
-    const ekf_cal_online_real_t attitude_twice_zz = attitude_twice_z * in->attitude_z;
-    const ekf_cal_online_real_t attitude_00 = 1.0 - attitude_twice_yy - attitude_twice_zz;
-    const ekf_cal_online_real_t attitude_twice_xy = attitude_twice_y * in->attitude_x;
-    const ekf_cal_online_real_t attitude_twice_wz = attitude_twice_z * in->attitude_w;
-    const ekf_cal_online_real_t attitude_01 = attitude_twice_xy - attitude_twice_wz;
-    const ekf_cal_online_real_t attitude_twice_wy = attitude_twice_y * in->attitude_w;
-    const ekf_cal_online_real_t attitude_twice_xz = attitude_twice_z * in->attitude_x;
-    const ekf_cal_online_real_t attitude_02 = attitude_twice_wy + attitude_twice_xz;
-    const ekf_cal_online_real_t attitude_arm_x = (in->antenna_1_x * attitude_00) +
-        (in->antenna_1_y * attitude_01) + (in->antenna_1_z * attitude_02);
-    const ekf_cal_online_real_t antenna_x = attitude_arm_x + in->position_x;
-    const ekf_cal_online_real_t heading_cosine = cos(in->heading);
-    const ekf_cal_online_real_t attitude_10 = attitude_twice_wz + attitude_twice_xy;
     const ekf_cal_online_real_t attitude_twice_x = 2.0 * in->attitude_x;
+    const ekf_cal_online_real_t attitude_twice_y = 2.0 * in->attitude_y;
+    const ekf_cal_online_real_t attitude_twice_z = 2.0 * in->attitude_z;
     const ekf_cal_online_real_t attitude_twice_xx = attitude_twice_x * in->attitude_x;
-    const ekf_cal_online_real_t t34 = 1.0 - attitude_twice_xx;
-    const ekf_cal_online_real_t attitude_11 = t34 - attitude_twice_zz;
+    const ekf_cal_online_real_t attitude_twice_yy = attitude_twice_y * in->attitude_y;
+    const ekf_cal_online_real_t attitude_twice_zz = attitude_twice_z * in->attitude_z;
+    const ekf_cal_online_real_t attitude_twice_xy = attitude_twice_y * in->attitude_x;
+    const ekf_cal_online_real_t attitude_twice_xz = attitude_twice_z * in->attitude_x;
     const ekf_cal_online_real_t attitude_twice_yz = attitude_twice_z * in->attitude_y;
     const ekf_cal_online_real_t attitude_twice_wx = attitude_twice_x * in->attitude_w;
+    const ekf_cal_online_real_t attitude_twice_wy = attitude_twice_y * in->attitude_w;
+    const ekf_cal_online_real_t attitude_twice_wz = attitude_twice_z * in->attitude_w;
+    const ekf_cal_online_real_t attitude_00 = 1.0 - attitude_twice_yy - attitude_twice_zz;
+    const ekf_cal_online_real_t attitude_01 = attitude_twice_xy - attitude_twice_wz;
+    const ekf_cal_online_real_t attitude_02 = attitude_twice_wy + attitude_twice_xz;
+    const ekf_cal_online_real_t attitude_10 = attitude_twice_wz + attitude_twice_xy;
+    const ekf_cal_online_real_t t34 = 1.0 - attitude_twice_xx;
+    const ekf_cal_online_real_t attitude_11 = t34 - attitude_twice_zz;
     const ekf_cal_online_real_t attitude_12 = attitude_twice_yz - attitude_twice_wx;
-    const ekf_cal_online_real_t attitude_arm_y = (in->antenna_1_x * attitude_10) +
-        (in->antenna_1_y * attitude_11) + (in->antenna_1_z * attitude_12);
-    const ekf_cal_online_real_t antenna_y = attitude_arm_y + in->position_y;
-    const ekf_cal_online_real_t heading_sine = sin(in->heading);
-    const ekf_cal_online_real_t observed_x = (antenna_x * heading_cosine) +
-        (antenna_y * heading_sine);
-    const ekf_cal_online_real_t value_out_x = observed_x + in->origin_x;
-    const ekf_cal_online_real_t observed_y = (antenna_y * heading_cosine) -
-        (antenna_x * heading_sine);
-    const ekf_cal_online_real_t value_out_y = observed_y + in->origin_y;
     const ekf_cal_online_real_t attitude_20 = attitude_twice_xz - attitude_twice_wy;
     const ekf_cal_online_real_t attitude_21 = attitude_twice_wx + attitude_twice_yz;
     const ekf_cal_online_real_t attitude_22 = t34 - attitude_twice_yy;
+    const ekf_cal_online_real_t heading_cosine = cos(in->heading);
+    const ekf_cal_online_real_t heading_sine = sin(in->heading);
+    const ekf_cal_online_real_t attitude_arm_x = (in->antenna_1_x * attitude_00) +
+        (in->antenna_1_y * attitude_01) + (in->antenna_1_z * attitude_02);
+    const ekf_cal_online_real_t attitude_arm_y = (in->antenna_1_x * attitude_10) +
+        (in->antenna_1_y * attitude_11) + (in->antenna_1_z * attitude_12);
     const ekf_cal_online_real_t attitude_arm_z = (in->antenna_1_x * attitude_20) +
         (in->antenna_1_y * attitude_21) + (in->antenna_1_z * attitude_22);
+    const ekf_cal_online_real_t antenna_x = attitude_arm_x + in->position_x;
+    const ekf_cal_online_real_t antenna_y = attitude_arm_y + in->position_y;
     const ekf_cal_online_real_t antenna_z = attitude_arm_z + in->position_z;
+    const ekf_cal_online_real_t observed_x = (antenna_x * heading_cosine) +
+        (antenna_y * heading_sine);
+    const ekf_cal_online_real_t observed_y = (antenna_y * heading_cosine) -
+        (antenna_x * heading_sine);
+    const ekf_cal_online_real_t value_out_x = observed_x + in->origin_x;
+    const ekf_cal_online_real_t value_out_y = observed_y + in->origin_y;
     const ekf_cal_online_real_t value_out_z = antenna_z + in->origin_z;
     const ekf_cal_online_real_t value_by_attitude_arm_inner_x_z = (attitude_02 * heading_cosine) +
         (attitude_12 * heading_sine);
-    const ekf_cal_online_real_t value_by_attitude_arm_inner_x_y = (attitude_01 * heading_cosine) +
-        (attitude_11 * heading_sine);
-    const ekf_cal_online_real_t value_by_attitude_tangent_x_x =
-        (in->antenna_1_y * value_by_attitude_arm_inner_x_z) -
-        (in->antenna_1_z * value_by_attitude_arm_inner_x_y);
+    const ekf_cal_online_real_t value_by_attitude_arm_inner_y_x = (attitude_10 * heading_cosine) -
+        (attitude_00 * heading_sine);
     const ekf_cal_online_real_t value_by_attitude_arm_inner_x_x = (attitude_00 * heading_cosine) +
         (attitude_10 * heading_sine);
-    const ekf_cal_online_real_t value_by_attitude_tangent_x_y =
-        (in->antenna_1_z * value_by_attitude_arm_inner_x_x) -
-        (in->antenna_1_x * value_by_attitude_arm_inner_x_z);
+    const ekf_cal_online_real_t value_by_attitude_arm_inner_x_y = (attitude_01 * heading_cosine) +
+        (attitude_11 * heading_sine);
+    const ekf_cal_online_real_t value_by_attitude_arm_inner_y_y = (attitude_11 * heading_cosine) -
+        (attitude_01 * heading_sine);
+    const ekf_cal_online_real_t value_by_attitude_arm_inner_y_z = (attitude_12 * heading_cosine) -
+        (attitude_02 * heading_sine);
+    const ekf_cal_online_real_t value_by_attitude_tangent_z_y = (in->antenna_1_z * attitude_20) -
+        (in->antenna_1_x * attitude_22);
     const ekf_cal_online_real_t value_by_attitude_tangent_x_z =
         (in->antenna_1_x * value_by_attitude_arm_inner_x_y) -
         (in->antenna_1_y * value_by_attitude_arm_inner_x_x);
-    const ekf_cal_online_real_t value_by_attitude_arm_inner_y_z = (attitude_12 * heading_cosine) -
-        (attitude_02 * heading_sine);
-    const ekf_cal_online_real_t value_by_attitude_arm_inner_y_y = (attitude_11 * heading_cosine) -
-        (attitude_01 * heading_sine);
     const ekf_cal_online_real_t value_by_attitude_tangent_y_x =
         (in->antenna_1_y * value_by_attitude_arm_inner_y_z) -
         (in->antenna_1_z * value_by_attitude_arm_inner_y_y);
-    const ekf_cal_online_real_t value_by_attitude_arm_inner_y_x = (attitude_10 * heading_cosine) -
-        (attitude_00 * heading_sine);
+    const ekf_cal_online_real_t value_by_attitude_tangent_x_x =
+        (in->antenna_1_y * value_by_attitude_arm_inner_x_z) -
+        (in->antenna_1_z * value_by_attitude_arm_inner_x_y);
+    const ekf_cal_online_real_t value_by_attitude_tangent_x_y =
+        (in->antenna_1_z * value_by_attitude_arm_inner_x_x) -
+        (in->antenna_1_x * value_by_attitude_arm_inner_x_z);
     const ekf_cal_online_real_t value_by_attitude_tangent_y_y =
         (in->antenna_1_z * value_by_attitude_arm_inner_y_x) -
         (in->antenna_1_x * value_by_attitude_arm_inner_y_z);
@@ -160,8 +162,6 @@ EKF_CAL_ONLINE_INLINE flag_t gps_1_kernel(const gps_1_input_t *in, gps_1_output_
         (in->antenna_1_y * value_by_attitude_arm_inner_y_x);
     const ekf_cal_online_real_t value_by_attitude_tangent_z_x = (in->antenna_1_y * attitude_22) -
         (in->antenna_1_z * attitude_21);
-    const ekf_cal_online_real_t value_by_attitude_tangent_z_y = (in->antenna_1_z * attitude_20) -
-        (in->antenna_1_x * attitude_22);
     const ekf_cal_online_real_t value_by_attitude_tangent_z_z = (in->antenna_1_x * attitude_21) -
         (in->antenna_1_y * attitude_20);
 

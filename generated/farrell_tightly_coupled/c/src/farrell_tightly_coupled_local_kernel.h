@@ -138,18 +138,21 @@ FARRELL_TIGHTLY_COUPLED_INLINE flag_t local_load(
 /* Error between two states: values and structural non-zeros. */
 FARRELL_TIGHTLY_COUPLED_INLINE flag_t local_kernel(const local_input_t *in, local_output_t *out)
 {
-    const farrell_tightly_coupled_real_t drho_log_of_x = (in->drho_w * in->drho_x_2) +
-        (in->drho_y * in->drho_z_2) - (in->drho_x * in->drho_w_2) - (in->drho_z * in->drho_y_2);
-    const farrell_tightly_coupled_real_t drho_log_of_y = (in->drho_w * in->drho_y_2) +
-        (in->drho_z * in->drho_x_2) - (in->drho_x * in->drho_z_2) - (in->drho_y * in->drho_w_2);
-    const farrell_tightly_coupled_real_t drho_log_of_z = (in->drho_w * in->drho_z_2) +
-        (in->drho_x * in->drho_y_2) - (in->drho_y * in->drho_x_2) - (in->drho_z * in->drho_w_2);
-    const farrell_tightly_coupled_real_t drho_log_sine_squared = (drho_log_of_x * drho_log_of_x) +
-        (drho_log_of_y * drho_log_of_y) + (drho_log_of_z * drho_log_of_z);
     const farrell_tightly_coupled_real_t drho_log_of_w = (in->drho_w * in->drho_w_2) +
-        (in->drho_x * in->drho_x_2) + (in->drho_y * in->drho_y_2) + (in->drho_z * in->drho_z_2);
+        (in->drho_x * in->drho_x_2) + ((in->drho_y * in->drho_y_2) + (in->drho_z * in->drho_z_2));
+    const farrell_tightly_coupled_real_t drho_log_of_x = (in->drho_w * in->drho_x_2) -
+        (in->drho_x * in->drho_w_2) + ((in->drho_y * in->drho_z_2) - (in->drho_z * in->drho_y_2));
+    const farrell_tightly_coupled_real_t drho_log_of_y = (in->drho_w * in->drho_y_2) -
+        (in->drho_x * in->drho_z_2) + ((in->drho_z * in->drho_x_2) - (in->drho_y * in->drho_w_2));
+    const farrell_tightly_coupled_real_t drho_log_of_z = (in->drho_w * in->drho_z_2) -
+        (in->drho_y * in->drho_x_2) + ((in->drho_x * in->drho_y_2) - (in->drho_z * in->drho_w_2));
     const farrell_tightly_coupled_real_t drho_log_sign = (drho_log_of_w < 0.0) ? (-1.0) : 1.0;
     const farrell_tightly_coupled_real_t drho_log_w = drho_log_of_w * drho_log_sign;
+    const farrell_tightly_coupled_real_t drho_log_sine_squared = (drho_log_of_x * drho_log_of_x) +
+        (drho_log_of_y * drho_log_of_y) + (drho_log_of_z * drho_log_of_z);
+    const farrell_tightly_coupled_real_t drho_log_safe_squared = (drho_log_sine_squared < 0.01) ?
+        1.0 : drho_log_sine_squared;
+    const farrell_tightly_coupled_real_t drho_log_sine = sqrt(drho_log_safe_squared);
     const farrell_tightly_coupled_real_t drho_log_cosine = (drho_log_sine_squared < 0.01) ?
         drho_log_w : 1.0;
     const farrell_tightly_coupled_real_t drho_log_tangent_squared = drho_log_sine_squared /
@@ -163,9 +166,6 @@ FARRELL_TIGHTLY_COUPLED_INLINE flag_t local_kernel(const local_input_t *in, loca
         ((drho_log_tangent_squared * (0.1111111111111111 + t94)) - 0.14285714285714285)))) -
         0.3333333333333333;
     const farrell_tightly_coupled_real_t drho_log_series = 1.0 + (drho_log_tangent_squared * t103);
-    const farrell_tightly_coupled_real_t drho_log_safe_squared = (drho_log_sine_squared < 0.01) ?
-        1.0 : drho_log_sine_squared;
-    const farrell_tightly_coupled_real_t drho_log_sine = sqrt(drho_log_safe_squared);
     const farrell_tightly_coupled_real_t drho_log_far = (2.0 * atan2(drho_log_sine, drho_log_w)) /
         drho_log_sine;
     const farrell_tightly_coupled_real_t drho_log_scale = (drho_log_sine_squared < 0.01) ?

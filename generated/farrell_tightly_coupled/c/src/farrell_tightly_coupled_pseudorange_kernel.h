@@ -101,12 +101,12 @@ FARRELL_TIGHTLY_COUPLED_INLINE flag_t pseudorange_shared(
 {
     const farrell_tightly_coupled_real_t antenna_ecef_x = (in->dp_x * in->c_n_e_00) +
         (in->dp_y * in->c_n_e_01) + (in->dp_z * in->c_n_e_02);
-    const farrell_tightly_coupled_real_t antenna_x = antenna_ecef_x + in->origin_x;
     const farrell_tightly_coupled_real_t antenna_ecef_y = (in->dp_x * in->c_n_e_10) +
         (in->dp_y * in->c_n_e_11) + (in->dp_z * in->c_n_e_12);
-    const farrell_tightly_coupled_real_t antenna_y = antenna_ecef_y + in->origin_y;
     const farrell_tightly_coupled_real_t antenna_ecef_z = (in->dp_x * in->c_n_e_20) +
         (in->dp_y * in->c_n_e_21) + (in->dp_z * in->c_n_e_22);
+    const farrell_tightly_coupled_real_t antenna_x = antenna_ecef_x + in->origin_x;
+    const farrell_tightly_coupled_real_t antenna_y = antenna_ecef_y + in->origin_y;
     const farrell_tightly_coupled_real_t antenna_z = antenna_ecef_z + in->origin_z;
 
     shared->antenna_x = antenna_x;
@@ -156,10 +156,10 @@ FARRELL_TIGHTLY_COUPLED_INLINE flag_t pseudorange_item(
     const farrell_tightly_coupled_real_t range_squared = range_squared_ok ? range_squared_raw : 1.0;
     const farrell_tightly_coupled_real_t range = sqrt(range_squared);
     const farrell_tightly_coupled_real_t inverse_range = 1.0 / range;  /* shared reciprocal */
-    const farrell_tightly_coupled_real_t value_out = in->b_u + range;
     const farrell_tightly_coupled_real_t range_direction_x = range_vector_x * inverse_range;
     const farrell_tightly_coupled_real_t range_direction_y = range_vector_y * inverse_range;
     const farrell_tightly_coupled_real_t range_direction_z = range_vector_z * inverse_range;
+    const farrell_tightly_coupled_real_t value_out = in->b_u + range;
     const farrell_tightly_coupled_real_t range_by_dp_x = (in->c_n_e_00 * range_direction_x) +
         (in->c_n_e_10 * range_direction_y) + (in->c_n_e_20 * range_direction_z);
     const farrell_tightly_coupled_real_t range_by_dp_y = (in->c_n_e_01 * range_direction_x) +

@@ -122,32 +122,32 @@ FARRELL_TIGHTLY_COUPLED_INLINE flag_t pseudorange_lever_arm_shared(
     const pseudorange_lever_arm_input_t *in,
     pseudorange_lever_arm_shared_t *shared)
 {
-    const farrell_tightly_coupled_real_t drho_twice_y = 2.0 * in->drho_y;
-    const farrell_tightly_coupled_real_t drho_twice_yy = drho_twice_y * in->drho_y;
-    const farrell_tightly_coupled_real_t drho_twice_z = 2.0 * in->drho_z;
-    const farrell_tightly_coupled_real_t drho_twice_zz = drho_twice_z * in->drho_z;
-    const farrell_tightly_coupled_real_t drho_00 = 1.0 - drho_twice_yy - drho_twice_zz;
-    const farrell_tightly_coupled_real_t drho_twice_xy = drho_twice_y * in->drho_x;
-    const farrell_tightly_coupled_real_t drho_twice_wz = drho_twice_z * in->drho_w;
-    const farrell_tightly_coupled_real_t drho_01 = drho_twice_xy - drho_twice_wz;
-    const farrell_tightly_coupled_real_t drho_twice_wy = drho_twice_y * in->drho_w;
-    const farrell_tightly_coupled_real_t drho_twice_xz = drho_twice_z * in->drho_x;
-    const farrell_tightly_coupled_real_t drho_02 = drho_twice_wy + drho_twice_xz;
-    const farrell_tightly_coupled_real_t drho_arm_x = (drho_00 * in->lever_arm_x) +
-        (drho_01 * in->lever_arm_y) + (drho_02 * in->lever_arm_z);
-    const farrell_tightly_coupled_real_t drho_10 = drho_twice_wz + drho_twice_xy;
     const farrell_tightly_coupled_real_t drho_twice_x = 2.0 * in->drho_x;
+    const farrell_tightly_coupled_real_t drho_twice_y = 2.0 * in->drho_y;
+    const farrell_tightly_coupled_real_t drho_twice_z = 2.0 * in->drho_z;
     const farrell_tightly_coupled_real_t drho_twice_xx = drho_twice_x * in->drho_x;
-    const farrell_tightly_coupled_real_t t29 = 1.0 - drho_twice_xx;
-    const farrell_tightly_coupled_real_t drho_11 = t29 - drho_twice_zz;
+    const farrell_tightly_coupled_real_t drho_twice_yy = drho_twice_y * in->drho_y;
+    const farrell_tightly_coupled_real_t drho_twice_zz = drho_twice_z * in->drho_z;
+    const farrell_tightly_coupled_real_t drho_twice_xy = drho_twice_y * in->drho_x;
+    const farrell_tightly_coupled_real_t drho_twice_xz = drho_twice_z * in->drho_x;
     const farrell_tightly_coupled_real_t drho_twice_yz = drho_twice_z * in->drho_y;
     const farrell_tightly_coupled_real_t drho_twice_wx = drho_twice_x * in->drho_w;
+    const farrell_tightly_coupled_real_t drho_twice_wy = drho_twice_y * in->drho_w;
+    const farrell_tightly_coupled_real_t drho_twice_wz = drho_twice_z * in->drho_w;
+    const farrell_tightly_coupled_real_t drho_00 = 1.0 - drho_twice_yy - drho_twice_zz;
+    const farrell_tightly_coupled_real_t drho_01 = drho_twice_xy - drho_twice_wz;
+    const farrell_tightly_coupled_real_t drho_02 = drho_twice_wy + drho_twice_xz;
+    const farrell_tightly_coupled_real_t drho_10 = drho_twice_wz + drho_twice_xy;
+    const farrell_tightly_coupled_real_t t29 = 1.0 - drho_twice_xx;
+    const farrell_tightly_coupled_real_t drho_11 = t29 - drho_twice_zz;
     const farrell_tightly_coupled_real_t drho_12 = drho_twice_yz - drho_twice_wx;
-    const farrell_tightly_coupled_real_t drho_arm_y = (drho_10 * in->lever_arm_x) +
-        (drho_11 * in->lever_arm_y) + (drho_12 * in->lever_arm_z);
     const farrell_tightly_coupled_real_t drho_20 = drho_twice_xz - drho_twice_wy;
     const farrell_tightly_coupled_real_t drho_21 = drho_twice_wx + drho_twice_yz;
     const farrell_tightly_coupled_real_t drho_22 = t29 - drho_twice_yy;
+    const farrell_tightly_coupled_real_t drho_arm_x = (drho_00 * in->lever_arm_x) +
+        (drho_01 * in->lever_arm_y) + (drho_02 * in->lever_arm_z);
+    const farrell_tightly_coupled_real_t drho_arm_y = (drho_10 * in->lever_arm_x) +
+        (drho_11 * in->lever_arm_y) + (drho_12 * in->lever_arm_z);
     const farrell_tightly_coupled_real_t drho_arm_z = (drho_20 * in->lever_arm_x) +
         (drho_21 * in->lever_arm_y) + (drho_22 * in->lever_arm_z);
     const farrell_tightly_coupled_real_t antenna_nav_x = in->dp_x + drho_arm_x;
@@ -155,12 +155,12 @@ FARRELL_TIGHTLY_COUPLED_INLINE flag_t pseudorange_lever_arm_shared(
     const farrell_tightly_coupled_real_t antenna_nav_z = in->dp_z + drho_arm_z;
     const farrell_tightly_coupled_real_t antenna_ecef_x = (antenna_nav_x * in->c_n_e_00) +
         (antenna_nav_y * in->c_n_e_01) + (antenna_nav_z * in->c_n_e_02);
-    const farrell_tightly_coupled_real_t antenna_x = antenna_ecef_x + in->origin_x;
     const farrell_tightly_coupled_real_t antenna_ecef_y = (antenna_nav_x * in->c_n_e_10) +
         (antenna_nav_y * in->c_n_e_11) + (antenna_nav_z * in->c_n_e_12);
-    const farrell_tightly_coupled_real_t antenna_y = antenna_ecef_y + in->origin_y;
     const farrell_tightly_coupled_real_t antenna_ecef_z = (antenna_nav_x * in->c_n_e_20) +
         (antenna_nav_y * in->c_n_e_21) + (antenna_nav_z * in->c_n_e_22);
+    const farrell_tightly_coupled_real_t antenna_x = antenna_ecef_x + in->origin_x;
+    const farrell_tightly_coupled_real_t antenna_y = antenna_ecef_y + in->origin_y;
     const farrell_tightly_coupled_real_t antenna_z = antenna_ecef_z + in->origin_z;
 
     shared->drho_arm_x = drho_arm_x;
@@ -209,10 +209,10 @@ FARRELL_TIGHTLY_COUPLED_INLINE flag_t pseudorange_lever_arm_item(
     const farrell_tightly_coupled_real_t range_squared = range_squared_ok ? range_squared_raw : 1.0;
     const farrell_tightly_coupled_real_t range = sqrt(range_squared);
     const farrell_tightly_coupled_real_t inverse_range = 1.0 / range;  /* shared reciprocal */
-    const farrell_tightly_coupled_real_t value_out = in->b_u + range;
     const farrell_tightly_coupled_real_t range_direction_x = range_vector_x * inverse_range;
     const farrell_tightly_coupled_real_t range_direction_y = range_vector_y * inverse_range;
     const farrell_tightly_coupled_real_t range_direction_z = range_vector_z * inverse_range;
+    const farrell_tightly_coupled_real_t value_out = in->b_u + range;
     const farrell_tightly_coupled_real_t value_by_antenna_nav_x =
         (in->c_n_e_00 * range_direction_x) + (in->c_n_e_10 * range_direction_y) +
         (in->c_n_e_20 * range_direction_z);

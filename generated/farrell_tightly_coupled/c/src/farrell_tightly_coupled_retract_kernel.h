@@ -139,23 +139,23 @@ FARRELL_TIGHTLY_COUPLED_INLINE flag_t retract_kernel(
 {
     const farrell_tightly_coupled_real_t drho_exp_angle_squared = (in->drho_x_2 * in->drho_x_2) +
         (in->drho_y_2 * in->drho_y_2) + (in->drho_z_2 * in->drho_z_2);
+    const farrell_tightly_coupled_real_t drho_exp_safe_squared = (drho_exp_angle_squared < 0.01) ?
+        1.0 : drho_exp_angle_squared;
+    const farrell_tightly_coupled_real_t drho_exp_angle = sqrt(drho_exp_safe_squared);
     const farrell_tightly_coupled_real_t t45 = drho_exp_angle_squared * ((drho_exp_angle_squared *
         (0.0026041666666666665 + (drho_exp_angle_squared *
         ((9.68812003968254e-08 * drho_exp_angle_squared) - 2.170138888888889e-05)))) - 0.125);
     const farrell_tightly_coupled_real_t drho_exp_near_cosine = 1.0 + t45;
-    const farrell_tightly_coupled_real_t drho_exp_safe_squared = (drho_exp_angle_squared < 0.01) ?
-        1.0 : drho_exp_angle_squared;
-    const farrell_tightly_coupled_real_t drho_exp_angle = sqrt(drho_exp_safe_squared);
-    const farrell_tightly_coupled_real_t drho_exp_half = 0.5 * drho_exp_angle;
-    const farrell_tightly_coupled_real_t drho_exp_far_cosine = cos(drho_exp_half);
-    const farrell_tightly_coupled_real_t drho_exp_cosine = (drho_exp_angle_squared < 0.01) ?
-        drho_exp_near_cosine : drho_exp_far_cosine;
     const farrell_tightly_coupled_real_t t70 = drho_exp_angle_squared * ((drho_exp_angle_squared *
         (0.00026041666666666666 + (drho_exp_angle_squared *
         ((5.382288910934745e-09 * drho_exp_angle_squared) - 1.5500992063492063e-06)))) -
         0.020833333333333332);
     const farrell_tightly_coupled_real_t drho_exp_near_sinc = 0.5 + t70;
+    const farrell_tightly_coupled_real_t drho_exp_half = 0.5 * drho_exp_angle;
+    const farrell_tightly_coupled_real_t drho_exp_far_cosine = cos(drho_exp_half);
     const farrell_tightly_coupled_real_t drho_exp_far_sinc = sin(drho_exp_half) / drho_exp_angle;
+    const farrell_tightly_coupled_real_t drho_exp_cosine = (drho_exp_angle_squared < 0.01) ?
+        drho_exp_near_cosine : drho_exp_far_cosine;
     const farrell_tightly_coupled_real_t drho_exp_sinc = (drho_exp_angle_squared < 0.01) ?
         drho_exp_near_sinc : drho_exp_far_sinc;
     const farrell_tightly_coupled_real_t drho_step_x = in->drho_x_2 * drho_exp_sinc;
@@ -172,16 +172,16 @@ FARRELL_TIGHTLY_COUPLED_INLINE flag_t retract_kernel(
     out->value[7] = in->b_u_dot + in->b_u_dot_2;  /* b_u_dot */
     /* drho w */
     out->value[8] = (drho_exp_cosine * in->drho_w) - (drho_step_x * in->drho_x) -
-        (drho_step_y * in->drho_y) - (drho_step_z * in->drho_z);
+        ((drho_step_y * in->drho_y) + (drho_step_z * in->drho_z));
     /* drho x */
     out->value[9] = (drho_exp_cosine * in->drho_x) + (drho_step_x * in->drho_w) +
-        (drho_step_y * in->drho_z) - (drho_step_z * in->drho_y);
+        ((drho_step_y * in->drho_z) - (drho_step_z * in->drho_y));
     /* drho y */
     out->value[10] = (drho_exp_cosine * in->drho_y) + (drho_step_y * in->drho_w) +
-        (drho_step_z * in->drho_x) - (drho_step_x * in->drho_z);
+        ((drho_step_z * in->drho_x) - (drho_step_x * in->drho_z));
     /* drho z */
     out->value[11] = (drho_exp_cosine * in->drho_z) + (drho_step_x * in->drho_y) +
-        (drho_step_z * in->drho_w) - (drho_step_y * in->drho_x);
+        ((drho_step_z * in->drho_w) - (drho_step_y * in->drho_x));
     out->value[12] = in->x_a_x_2 + in->x_a_x;  /* x_a x */
     out->value[13] = in->x_a_y_2 + in->x_a_y;  /* x_a y */
     out->value[14] = in->x_a_z_2 + in->x_a_z;  /* x_a z */

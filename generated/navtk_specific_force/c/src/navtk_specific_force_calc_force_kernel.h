@@ -87,80 +87,80 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t calc_force_kernel(
     calc_force_output_t *out)
 {
     const navtk_specific_force_real_t inverse_dt = 1.0 / in->dt;  /* shared reciprocal */
+    const navtk_specific_force_real_t half_theta_x = 0.5 * in->delta_theta_x;
     const navtk_specific_force_real_t half_theta_y = 0.5 * in->delta_theta_y;
     const navtk_specific_force_real_t half_theta_z = 0.5 * in->delta_theta_z;
-    const navtk_specific_force_real_t force_by_inverse_dt_x = in->delta_velocity_x +
+    const navtk_specific_force_real_t t11 = in->delta_velocity_x +
         (in->delta_velocity_z * half_theta_y) - (in->delta_velocity_y * half_theta_z);
-    const navtk_specific_force_real_t force_x = force_by_inverse_dt_x * inverse_dt;
-    const navtk_specific_force_real_t half_theta_x = 0.5 * in->delta_theta_x;
-    const navtk_specific_force_real_t force_by_inverse_dt_y = in->delta_velocity_y +
+    const navtk_specific_force_real_t force_x = t11 * inverse_dt;
+    const navtk_specific_force_real_t t21 = in->delta_velocity_y +
         (in->delta_velocity_x * half_theta_z) - (in->delta_velocity_z * half_theta_x);
-    const navtk_specific_force_real_t force_y = force_by_inverse_dt_y * inverse_dt;
-    const navtk_specific_force_real_t force_by_inverse_dt_z = in->delta_velocity_z +
+    const navtk_specific_force_real_t force_y = t21 * inverse_dt;
+    const navtk_specific_force_real_t t29 = in->delta_velocity_z +
         (in->delta_velocity_y * half_theta_x) - (in->delta_velocity_x * half_theta_y);
-    const navtk_specific_force_real_t force_z = force_by_inverse_dt_z * inverse_dt;
+    const navtk_specific_force_real_t force_z = t29 * inverse_dt;
     const navtk_specific_force_real_t resolved_x = (force_x * in->dcm_00) + (force_y * in->dcm_01) +
         (force_z * in->dcm_02);
     const navtk_specific_force_real_t resolved_y = (force_x * in->dcm_10) + (force_y * in->dcm_11) +
         (force_z * in->dcm_12);
     const navtk_specific_force_real_t resolved_z = (force_x * in->dcm_20) + (force_y * in->dcm_21) +
         (force_z * in->dcm_22);
-    const navtk_specific_force_real_t t53 = in->delta_velocity_y * inverse_dt;
-    const navtk_specific_force_real_t force_by_half_theta_x_y = in->delta_velocity_z * inverse_dt;
-    const navtk_specific_force_real_t value_by_half_theta_x_x = (in->dcm_02 * t53) -
-        (in->dcm_01 * force_by_half_theta_x_y);
-    const navtk_specific_force_real_t force_by_half_theta_y_z = in->delta_velocity_x * inverse_dt;
-    const navtk_specific_force_real_t value_by_half_theta_x_y =
-        (in->dcm_00 * force_by_half_theta_x_y) - (in->dcm_02 * force_by_half_theta_y_z);
-    const navtk_specific_force_real_t value_by_half_theta_x_z =
-        (in->dcm_01 * force_by_half_theta_y_z) - (in->dcm_00 * t53);
-    const navtk_specific_force_real_t value_by_half_theta_y_x = (in->dcm_12 * t53) -
-        (in->dcm_11 * force_by_half_theta_x_y);
-    const navtk_specific_force_real_t value_by_half_theta_y_y =
-        (in->dcm_10 * force_by_half_theta_x_y) - (in->dcm_12 * force_by_half_theta_y_z);
-    const navtk_specific_force_real_t value_by_half_theta_y_z =
-        (in->dcm_11 * force_by_half_theta_y_z) - (in->dcm_10 * t53);
-    const navtk_specific_force_real_t value_by_half_theta_z_x = (in->dcm_22 * t53) -
-        (in->dcm_21 * force_by_half_theta_x_y);
-    const navtk_specific_force_real_t value_by_half_theta_z_y =
-        (in->dcm_20 * force_by_half_theta_x_y) - (in->dcm_22 * force_by_half_theta_y_z);
-    const navtk_specific_force_real_t value_by_half_theta_z_z =
-        (in->dcm_21 * force_by_half_theta_y_z) - (in->dcm_20 * t53);
-    const navtk_specific_force_real_t t93 = half_theta_z * inverse_dt;
-    const navtk_specific_force_real_t force_by_delta_velocity_x_z = half_theta_y * inverse_dt;
-    const navtk_specific_force_real_t value_by_delta_velocity_x_x = (in->dcm_00 * inverse_dt) +
-        (in->dcm_01 * t93) - (in->dcm_02 * force_by_delta_velocity_x_z);
-    const navtk_specific_force_real_t t102 = half_theta_x * inverse_dt;
-    const navtk_specific_force_real_t value_by_delta_velocity_x_y = (in->dcm_01 * inverse_dt) -
-        (in->dcm_00 * t93) + (in->dcm_02 * t102);
-    const navtk_specific_force_real_t value_by_delta_velocity_x_z =
-        (in->dcm_00 * force_by_delta_velocity_x_z) - (in->dcm_01 * t102) +
-        (in->dcm_02 * inverse_dt);
+    const navtk_specific_force_real_t value_by_delta_velocity_z_y = (in->dcm_21 * inverse_dt) +
+        (in->dcm_22 * half_theta_x * inverse_dt) - (in->dcm_20 * half_theta_z * inverse_dt);
+    const navtk_specific_force_real_t value_by_delta_velocity_x_z = (in->dcm_02 * inverse_dt) +
+        (in->dcm_00 * half_theta_y * inverse_dt) - (in->dcm_01 * half_theta_x * inverse_dt);
     const navtk_specific_force_real_t value_by_delta_velocity_y_x = (in->dcm_10 * inverse_dt) +
-        (in->dcm_11 * t93) - (in->dcm_12 * force_by_delta_velocity_x_z);
-    const navtk_specific_force_real_t value_by_delta_velocity_y_y = (in->dcm_11 * inverse_dt) -
-        (in->dcm_10 * t93) + (in->dcm_12 * t102);
-    const navtk_specific_force_real_t value_by_delta_velocity_y_z =
-        (in->dcm_10 * force_by_delta_velocity_x_z) - (in->dcm_11 * t102) +
-        (in->dcm_12 * inverse_dt);
+        (in->dcm_11 * half_theta_z * inverse_dt) - (in->dcm_12 * half_theta_y * inverse_dt);
+    const navtk_specific_force_real_t value_by_delta_velocity_x_x = (in->dcm_00 * inverse_dt) +
+        (in->dcm_01 * half_theta_z * inverse_dt) - (in->dcm_02 * half_theta_y * inverse_dt);
+    const navtk_specific_force_real_t value_by_delta_velocity_x_y = (in->dcm_01 * inverse_dt) +
+        (in->dcm_02 * half_theta_x * inverse_dt) - (in->dcm_00 * half_theta_z * inverse_dt);
+    const navtk_specific_force_real_t value_by_delta_velocity_y_y = (in->dcm_11 * inverse_dt) +
+        (in->dcm_12 * half_theta_x * inverse_dt) - (in->dcm_10 * half_theta_z * inverse_dt);
+    const navtk_specific_force_real_t value_by_delta_velocity_y_z = (in->dcm_12 * inverse_dt) +
+        (in->dcm_10 * half_theta_y * inverse_dt) - (in->dcm_11 * half_theta_x * inverse_dt);
     const navtk_specific_force_real_t value_by_delta_velocity_z_x = (in->dcm_20 * inverse_dt) +
-        (in->dcm_21 * t93) - (in->dcm_22 * force_by_delta_velocity_x_z);
-    const navtk_specific_force_real_t value_by_delta_velocity_z_y = (in->dcm_21 * inverse_dt) -
-        (in->dcm_20 * t93) + (in->dcm_22 * t102);
-    const navtk_specific_force_real_t value_by_delta_velocity_z_z =
-        (in->dcm_20 * force_by_delta_velocity_x_z) - (in->dcm_21 * t102) +
-        (in->dcm_22 * inverse_dt);
-    const navtk_specific_force_real_t value_by_inverse_dt_x = (in->dcm_00 * force_by_inverse_dt_x) +
-        (in->dcm_01 * force_by_inverse_dt_y) + (in->dcm_02 * force_by_inverse_dt_z);
+        (in->dcm_21 * half_theta_z * inverse_dt) - (in->dcm_22 * half_theta_y * inverse_dt);
+    const navtk_specific_force_real_t value_by_delta_velocity_z_z = (in->dcm_22 * inverse_dt) +
+        (in->dcm_20 * half_theta_y * inverse_dt) - (in->dcm_21 * half_theta_x * inverse_dt);
     /* shared reciprocal */
-    const navtk_specific_force_real_t inverse_t145 = 1.0 / (in->dt * in->dt);
-    const navtk_specific_force_real_t value_by_dt_x = -(value_by_inverse_dt_x * inverse_t145);
-    const navtk_specific_force_real_t value_by_inverse_dt_y = (in->dcm_10 * force_by_inverse_dt_x) +
-        (in->dcm_11 * force_by_inverse_dt_y) + (in->dcm_12 * force_by_inverse_dt_z);
-    const navtk_specific_force_real_t value_by_dt_y = -(value_by_inverse_dt_y * inverse_t145);
-    const navtk_specific_force_real_t value_by_inverse_dt_z = (in->dcm_20 * force_by_inverse_dt_x) +
-        (in->dcm_21 * force_by_inverse_dt_y) + (in->dcm_22 * force_by_inverse_dt_z);
-    const navtk_specific_force_real_t value_by_dt_z = -(value_by_inverse_dt_z * inverse_t145);
+    const navtk_specific_force_real_t inverse_t170 = 1.0 / (in->dt * in->dt);
+    const navtk_specific_force_real_t t171 = t11 * inverse_t170;
+    const navtk_specific_force_real_t t173 = t21 * inverse_t170;
+    const navtk_specific_force_real_t t176 = t29 * inverse_t170;
+    const navtk_specific_force_real_t value_by_dt_x =
+        -((in->dcm_00 * t171) + (in->dcm_01 * t173) + (in->dcm_02 * t176));
+    const navtk_specific_force_real_t value_by_dt_y =
+        -((in->dcm_10 * t171) + (in->dcm_11 * t173) + (in->dcm_12 * t176));
+    const navtk_specific_force_real_t value_by_dt_z =
+        -((in->dcm_20 * t171) + (in->dcm_21 * t173) + (in->dcm_22 * t176));
+    const navtk_specific_force_real_t value_by_half_theta_z_y =
+        (in->dcm_20 * in->delta_velocity_z * inverse_dt) -
+        (in->dcm_22 * in->delta_velocity_x * inverse_dt);
+    const navtk_specific_force_real_t value_by_half_theta_x_z =
+        (in->dcm_01 * in->delta_velocity_x * inverse_dt) -
+        (in->dcm_00 * in->delta_velocity_y * inverse_dt);
+    const navtk_specific_force_real_t value_by_half_theta_y_x =
+        (in->dcm_12 * in->delta_velocity_y * inverse_dt) -
+        (in->dcm_11 * in->delta_velocity_z * inverse_dt);
+    const navtk_specific_force_real_t value_by_half_theta_x_x =
+        (in->dcm_02 * in->delta_velocity_y * inverse_dt) -
+        (in->dcm_01 * in->delta_velocity_z * inverse_dt);
+    const navtk_specific_force_real_t value_by_half_theta_x_y =
+        (in->dcm_00 * in->delta_velocity_z * inverse_dt) -
+        (in->dcm_02 * in->delta_velocity_x * inverse_dt);
+    const navtk_specific_force_real_t value_by_half_theta_y_y =
+        (in->dcm_10 * in->delta_velocity_z * inverse_dt) -
+        (in->dcm_12 * in->delta_velocity_x * inverse_dt);
+    const navtk_specific_force_real_t value_by_half_theta_y_z =
+        (in->dcm_11 * in->delta_velocity_x * inverse_dt) -
+        (in->dcm_10 * in->delta_velocity_y * inverse_dt);
+    const navtk_specific_force_real_t value_by_half_theta_z_x =
+        (in->dcm_22 * in->delta_velocity_y * inverse_dt) -
+        (in->dcm_21 * in->delta_velocity_z * inverse_dt);
+    const navtk_specific_force_real_t value_by_half_theta_z_z =
+        (in->dcm_21 * in->delta_velocity_x * inverse_dt) -
+        (in->dcm_20 * in->delta_velocity_y * inverse_dt);
 
     out->value[0] = resolved_x;  /* value x */
     out->value[1] = resolved_y;  /* value y */

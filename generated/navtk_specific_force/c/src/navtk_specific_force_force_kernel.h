@@ -91,148 +91,144 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t force_load(
 NAVTK_SPECIFIC_FORCE_INLINE flag_t force_kernel(const force_input_t *in, force_output_t *out)
 {
     const navtk_specific_force_real_t inverse_dt = 1.0 / in->dt;  /* shared reciprocal */
-    const navtk_specific_force_real_t attitude_twice_y = 2.0 * in->attitude_y;
-    const navtk_specific_force_real_t attitude_twice_yy = attitude_twice_y * in->attitude_y;
-    const navtk_specific_force_real_t attitude_twice_z = 2.0 * in->attitude_z;
-    const navtk_specific_force_real_t attitude_twice_zz = attitude_twice_z * in->attitude_z;
-    const navtk_specific_force_real_t attitude_00 = 1.0 - attitude_twice_yy - attitude_twice_zz;
-    const navtk_specific_force_real_t accelerometer_bias_step_x = in->accelerometer_bias_x * in->dt;
-    const navtk_specific_force_real_t v_x = in->delta_velocity_x - accelerometer_bias_step_x;
-    const navtk_specific_force_real_t gyro_bias_step_y = in->dt * in->gyro_bias_y;
-    const navtk_specific_force_real_t a_y = in->delta_theta_y - gyro_bias_step_y;
-    const navtk_specific_force_real_t half_theta_y = 0.5 * a_y;
-    const navtk_specific_force_real_t accelerometer_bias_step_z = in->accelerometer_bias_z * in->dt;
-    const navtk_specific_force_real_t v_z = in->delta_velocity_z - accelerometer_bias_step_z;
-    const navtk_specific_force_real_t gyro_bias_step_z = in->dt * in->gyro_bias_z;
-    const navtk_specific_force_real_t a_z = in->delta_theta_z - gyro_bias_step_z;
-    const navtk_specific_force_real_t half_theta_z = 0.5 * a_z;
-    const navtk_specific_force_real_t accelerometer_bias_step_y = in->accelerometer_bias_y * in->dt;
-    const navtk_specific_force_real_t v_y = in->delta_velocity_y - accelerometer_bias_step_y;
-    const navtk_specific_force_real_t force_by_inverse_dt_x = v_x + (half_theta_y * v_z) -
-        (half_theta_z * v_y);
-    const navtk_specific_force_real_t force_x = force_by_inverse_dt_x * inverse_dt;
-    const navtk_specific_force_real_t attitude_twice_xy = attitude_twice_y * in->attitude_x;
-    const navtk_specific_force_real_t attitude_twice_wz = attitude_twice_z * in->attitude_w;
-    const navtk_specific_force_real_t attitude_01 = attitude_twice_xy - attitude_twice_wz;
-    const navtk_specific_force_real_t gyro_bias_step_x = in->dt * in->gyro_bias_x;
-    const navtk_specific_force_real_t a_x = in->delta_theta_x - gyro_bias_step_x;
-    const navtk_specific_force_real_t half_theta_x = 0.5 * a_x;
-    const navtk_specific_force_real_t force_by_inverse_dt_y = v_y + (half_theta_z * v_x) -
-        (half_theta_x * v_z);
-    const navtk_specific_force_real_t force_y = force_by_inverse_dt_y * inverse_dt;
-    const navtk_specific_force_real_t attitude_twice_wy = attitude_twice_y * in->attitude_w;
-    const navtk_specific_force_real_t attitude_twice_xz = attitude_twice_z * in->attitude_x;
-    const navtk_specific_force_real_t attitude_02 = attitude_twice_wy + attitude_twice_xz;
-    const navtk_specific_force_real_t force_by_inverse_dt_z = v_z + (half_theta_x * v_y) -
-        (half_theta_y * v_x);
-    const navtk_specific_force_real_t force_z = force_by_inverse_dt_z * inverse_dt;
-    const navtk_specific_force_real_t resolved_x = (attitude_00 * force_x) +
-        (attitude_01 * force_y) + (attitude_02 * force_z);
-    const navtk_specific_force_real_t attitude_10 = attitude_twice_wz + attitude_twice_xy;
     const navtk_specific_force_real_t attitude_twice_x = 2.0 * in->attitude_x;
+    const navtk_specific_force_real_t attitude_twice_y = 2.0 * in->attitude_y;
+    const navtk_specific_force_real_t attitude_twice_z = 2.0 * in->attitude_z;
     const navtk_specific_force_real_t attitude_twice_xx = attitude_twice_x * in->attitude_x;
-    const navtk_specific_force_real_t t70 = 1.0 - attitude_twice_xx;
-    const navtk_specific_force_real_t attitude_11 = t70 - attitude_twice_zz;
+    const navtk_specific_force_real_t attitude_twice_yy = attitude_twice_y * in->attitude_y;
+    const navtk_specific_force_real_t attitude_twice_zz = attitude_twice_z * in->attitude_z;
+    const navtk_specific_force_real_t attitude_twice_xy = attitude_twice_y * in->attitude_x;
+    const navtk_specific_force_real_t attitude_twice_xz = attitude_twice_z * in->attitude_x;
     const navtk_specific_force_real_t attitude_twice_yz = attitude_twice_z * in->attitude_y;
     const navtk_specific_force_real_t attitude_twice_wx = attitude_twice_x * in->attitude_w;
+    const navtk_specific_force_real_t attitude_twice_wy = attitude_twice_y * in->attitude_w;
+    const navtk_specific_force_real_t attitude_twice_wz = attitude_twice_z * in->attitude_w;
+    const navtk_specific_force_real_t attitude_00 = 1.0 - attitude_twice_yy - attitude_twice_zz;
+    const navtk_specific_force_real_t attitude_01 = attitude_twice_xy - attitude_twice_wz;
+    const navtk_specific_force_real_t attitude_02 = attitude_twice_wy + attitude_twice_xz;
+    const navtk_specific_force_real_t attitude_10 = attitude_twice_wz + attitude_twice_xy;
+    const navtk_specific_force_real_t t70 = 1.0 - attitude_twice_xx;
+    const navtk_specific_force_real_t attitude_11 = t70 - attitude_twice_zz;
     const navtk_specific_force_real_t attitude_12 = attitude_twice_yz - attitude_twice_wx;
-    const navtk_specific_force_real_t resolved_y = (attitude_10 * force_x) +
-        (attitude_11 * force_y) + (attitude_12 * force_z);
     const navtk_specific_force_real_t attitude_20 = attitude_twice_xz - attitude_twice_wy;
     const navtk_specific_force_real_t attitude_21 = attitude_twice_wx + attitude_twice_yz;
     const navtk_specific_force_real_t attitude_22 = t70 - attitude_twice_yy;
+    const navtk_specific_force_real_t gyro_bias_step_x = in->dt * in->gyro_bias_x;
+    const navtk_specific_force_real_t gyro_bias_step_y = in->dt * in->gyro_bias_y;
+    const navtk_specific_force_real_t gyro_bias_step_z = in->dt * in->gyro_bias_z;
+    const navtk_specific_force_real_t a_x = in->delta_theta_x - gyro_bias_step_x;
+    const navtk_specific_force_real_t a_y = in->delta_theta_y - gyro_bias_step_y;
+    const navtk_specific_force_real_t a_z = in->delta_theta_z - gyro_bias_step_z;
+    const navtk_specific_force_real_t accelerometer_bias_step_x = in->accelerometer_bias_x * in->dt;
+    const navtk_specific_force_real_t accelerometer_bias_step_y = in->accelerometer_bias_y * in->dt;
+    const navtk_specific_force_real_t accelerometer_bias_step_z = in->accelerometer_bias_z * in->dt;
+    const navtk_specific_force_real_t v_x = in->delta_velocity_x - accelerometer_bias_step_x;
+    const navtk_specific_force_real_t v_y = in->delta_velocity_y - accelerometer_bias_step_y;
+    const navtk_specific_force_real_t v_z = in->delta_velocity_z - accelerometer_bias_step_z;
+    const navtk_specific_force_real_t half_theta_x = 0.5 * a_x;
+    const navtk_specific_force_real_t half_theta_y = 0.5 * a_y;
+    const navtk_specific_force_real_t half_theta_z = 0.5 * a_z;
+    const navtk_specific_force_real_t t36 = v_x + (half_theta_y * v_z) - (half_theta_z * v_y);
+    const navtk_specific_force_real_t force_x = t36 * inverse_dt;
+    const navtk_specific_force_real_t t52 = v_y + (half_theta_z * v_x) - (half_theta_x * v_z);
+    const navtk_specific_force_real_t force_y = t52 * inverse_dt;
+    const navtk_specific_force_real_t t62 = v_z + (half_theta_x * v_y) - (half_theta_y * v_x);
+    const navtk_specific_force_real_t force_z = t62 * inverse_dt;
+    const navtk_specific_force_real_t resolved_x = (attitude_00 * force_x) +
+        (attitude_01 * force_y) + (attitude_02 * force_z);
+    const navtk_specific_force_real_t resolved_y = (attitude_10 * force_x) +
+        (attitude_11 * force_y) + (attitude_12 * force_z);
     const navtk_specific_force_real_t resolved_z = (attitude_20 * force_x) +
         (attitude_21 * force_y) + (attitude_22 * force_z);
-    const navtk_specific_force_real_t t89 = half_theta_z * inverse_dt;
-    const navtk_specific_force_real_t force_by_v_x_z = half_theta_y * inverse_dt;
-    const navtk_specific_force_real_t value_by_v_x_x = (attitude_00 * inverse_dt) +
-        (attitude_01 * t89) - (attitude_02 * force_by_v_x_z);
-    const navtk_specific_force_real_t value_by_accelerometer_bias_x_x = -(in->dt * value_by_v_x_x);
-    const navtk_specific_force_real_t t100 = half_theta_x * inverse_dt;
-    const navtk_specific_force_real_t value_by_v_x_y = (attitude_01 * inverse_dt) -
-        (attitude_00 * t89) + (attitude_02 * t100);
-    const navtk_specific_force_real_t value_by_accelerometer_bias_x_y = -(in->dt * value_by_v_x_y);
-    const navtk_specific_force_real_t value_by_v_x_z = (attitude_00 * force_by_v_x_z) -
-        (attitude_01 * t100) + (attitude_02 * inverse_dt);
-    const navtk_specific_force_real_t value_by_accelerometer_bias_x_z = -(in->dt * value_by_v_x_z);
-    const navtk_specific_force_real_t t113 = (-0.5) * in->dt;
-    const navtk_specific_force_real_t t114 = v_y * inverse_dt;
-    const navtk_specific_force_real_t force_by_half_theta_x_y = v_z * inverse_dt;
-    const navtk_specific_force_real_t value_by_half_theta_x_x = (attitude_02 * t114) -
-        (attitude_01 * force_by_half_theta_x_y);
-    const navtk_specific_force_real_t value_by_gyro_bias_x_x = t113 * value_by_half_theta_x_x;
-    const navtk_specific_force_real_t force_by_half_theta_y_z = v_x * inverse_dt;
-    const navtk_specific_force_real_t value_by_half_theta_x_y =
-        (attitude_00 * force_by_half_theta_x_y) - (attitude_02 * force_by_half_theta_y_z);
-    const navtk_specific_force_real_t value_by_gyro_bias_x_y = t113 * value_by_half_theta_x_y;
-    const navtk_specific_force_real_t value_by_half_theta_x_z =
-        (attitude_01 * force_by_half_theta_y_z) - (attitude_00 * t114);
-    const navtk_specific_force_real_t value_by_gyro_bias_x_z = t113 * value_by_half_theta_x_z;
+    const navtk_specific_force_real_t value_by_half_theta_z_y = (attitude_20 * v_z * inverse_dt) -
+        (attitude_22 * v_x * inverse_dt);
+    const navtk_specific_force_real_t value_by_half_theta_x_z = (attitude_01 * v_x * inverse_dt) -
+        (attitude_00 * v_y * inverse_dt);
+    const navtk_specific_force_real_t value_by_half_theta_y_x = (attitude_12 * v_y * inverse_dt) -
+        (attitude_11 * v_z * inverse_dt);
+    const navtk_specific_force_real_t value_by_half_theta_x_x = (attitude_02 * v_y * inverse_dt) -
+        (attitude_01 * v_z * inverse_dt);
+    const navtk_specific_force_real_t value_by_half_theta_x_y = (attitude_00 * v_z * inverse_dt) -
+        (attitude_02 * v_x * inverse_dt);
+    const navtk_specific_force_real_t value_by_half_theta_y_y = (attitude_10 * v_z * inverse_dt) -
+        (attitude_12 * v_x * inverse_dt);
+    const navtk_specific_force_real_t value_by_half_theta_y_z = (attitude_11 * v_x * inverse_dt) -
+        (attitude_10 * v_y * inverse_dt);
+    const navtk_specific_force_real_t value_by_half_theta_z_x = (attitude_22 * v_y * inverse_dt) -
+        (attitude_21 * v_z * inverse_dt);
+    const navtk_specific_force_real_t value_by_half_theta_z_z = (attitude_21 * v_x * inverse_dt) -
+        (attitude_20 * v_y * inverse_dt);
+    const navtk_specific_force_real_t value_by_v_z_y = (attitude_21 * inverse_dt) +
+        (attitude_22 * half_theta_x * inverse_dt) - (attitude_20 * half_theta_z * inverse_dt);
+    const navtk_specific_force_real_t value_by_v_x_z = (attitude_02 * inverse_dt) +
+        (attitude_00 * half_theta_y * inverse_dt) - (attitude_01 * half_theta_x * inverse_dt);
     const navtk_specific_force_real_t value_by_v_y_x = (attitude_10 * inverse_dt) +
-        (attitude_11 * t89) - (attitude_12 * force_by_v_x_z);
-    const navtk_specific_force_real_t value_by_accelerometer_bias_y_x = -(in->dt * value_by_v_y_x);
-    const navtk_specific_force_real_t value_by_v_y_y = (attitude_11 * inverse_dt) -
-        (attitude_10 * t89) + (attitude_12 * t100);
-    const navtk_specific_force_real_t value_by_accelerometer_bias_y_y = -(in->dt * value_by_v_y_y);
-    const navtk_specific_force_real_t value_by_v_y_z = (attitude_10 * force_by_v_x_z) -
-        (attitude_11 * t100) + (attitude_12 * inverse_dt);
-    const navtk_specific_force_real_t value_by_accelerometer_bias_y_z = -(in->dt * value_by_v_y_z);
-    const navtk_specific_force_real_t value_by_half_theta_y_x = (attitude_12 * t114) -
-        (attitude_11 * force_by_half_theta_x_y);
-    const navtk_specific_force_real_t value_by_gyro_bias_y_x = t113 * value_by_half_theta_y_x;
-    const navtk_specific_force_real_t value_by_half_theta_y_y =
-        (attitude_10 * force_by_half_theta_x_y) - (attitude_12 * force_by_half_theta_y_z);
-    const navtk_specific_force_real_t value_by_gyro_bias_y_y = t113 * value_by_half_theta_y_y;
-    const navtk_specific_force_real_t value_by_half_theta_y_z =
-        (attitude_11 * force_by_half_theta_y_z) - (attitude_10 * t114);
-    const navtk_specific_force_real_t value_by_gyro_bias_y_z = t113 * value_by_half_theta_y_z;
+        (attitude_11 * half_theta_z * inverse_dt) - (attitude_12 * half_theta_y * inverse_dt);
+    const navtk_specific_force_real_t value_by_v_x_x = (attitude_00 * inverse_dt) +
+        (attitude_01 * half_theta_z * inverse_dt) - (attitude_02 * half_theta_y * inverse_dt);
+    const navtk_specific_force_real_t value_by_v_x_y = (attitude_01 * inverse_dt) +
+        (attitude_02 * half_theta_x * inverse_dt) - (attitude_00 * half_theta_z * inverse_dt);
+    const navtk_specific_force_real_t value_by_v_y_y = (attitude_11 * inverse_dt) +
+        (attitude_12 * half_theta_x * inverse_dt) - (attitude_10 * half_theta_z * inverse_dt);
+    const navtk_specific_force_real_t value_by_v_y_z = (attitude_12 * inverse_dt) +
+        (attitude_10 * half_theta_y * inverse_dt) - (attitude_11 * half_theta_x * inverse_dt);
     const navtk_specific_force_real_t value_by_v_z_x = (attitude_20 * inverse_dt) +
-        (attitude_21 * t89) - (attitude_22 * force_by_v_x_z);
-    const navtk_specific_force_real_t value_by_accelerometer_bias_z_x = -(in->dt * value_by_v_z_x);
-    const navtk_specific_force_real_t value_by_v_z_y = (attitude_21 * inverse_dt) -
-        (attitude_20 * t89) + (attitude_22 * t100);
+        (attitude_21 * half_theta_z * inverse_dt) - (attitude_22 * half_theta_y * inverse_dt);
+    const navtk_specific_force_real_t value_by_v_z_z = (attitude_22 * inverse_dt) +
+        (attitude_20 * half_theta_y * inverse_dt) - (attitude_21 * half_theta_x * inverse_dt);
+    const navtk_specific_force_real_t value_by_a_z_y = 0.5 * value_by_half_theta_z_y;
+    const navtk_specific_force_real_t value_by_a_x_z = 0.5 * value_by_half_theta_x_z;
+    const navtk_specific_force_real_t value_by_a_y_x = 0.5 * value_by_half_theta_y_x;
+    const navtk_specific_force_real_t value_by_a_x_x = 0.5 * value_by_half_theta_x_x;
+    const navtk_specific_force_real_t value_by_a_x_y = 0.5 * value_by_half_theta_x_y;
+    const navtk_specific_force_real_t value_by_a_y_y = 0.5 * value_by_half_theta_y_y;
+    const navtk_specific_force_real_t value_by_a_y_z = 0.5 * value_by_half_theta_y_z;
+    const navtk_specific_force_real_t value_by_a_z_x = 0.5 * value_by_half_theta_z_x;
+    const navtk_specific_force_real_t value_by_a_z_z = 0.5 * value_by_half_theta_z_z;
     const navtk_specific_force_real_t value_by_accelerometer_bias_z_y = -(in->dt * value_by_v_z_y);
-    const navtk_specific_force_real_t value_by_v_z_z = (attitude_20 * force_by_v_x_z) -
-        (attitude_21 * t100) + (attitude_22 * inverse_dt);
+    const navtk_specific_force_real_t value_by_accelerometer_bias_x_z = -(in->dt * value_by_v_x_z);
+    const navtk_specific_force_real_t value_by_accelerometer_bias_y_x = -(in->dt * value_by_v_y_x);
+    const navtk_specific_force_real_t value_by_accelerometer_bias_x_x = -(in->dt * value_by_v_x_x);
+    const navtk_specific_force_real_t value_by_accelerometer_bias_x_y = -(in->dt * value_by_v_x_y);
+    const navtk_specific_force_real_t value_by_accelerometer_bias_y_y = -(in->dt * value_by_v_y_y);
+    const navtk_specific_force_real_t value_by_accelerometer_bias_y_z = -(in->dt * value_by_v_y_z);
+    const navtk_specific_force_real_t value_by_accelerometer_bias_z_x = -(in->dt * value_by_v_z_x);
     const navtk_specific_force_real_t value_by_accelerometer_bias_z_z = -(in->dt * value_by_v_z_z);
-    const navtk_specific_force_real_t value_by_half_theta_z_x = (attitude_22 * t114) -
-        (attitude_21 * force_by_half_theta_x_y);
-    const navtk_specific_force_real_t value_by_gyro_bias_z_x = t113 * value_by_half_theta_z_x;
-    const navtk_specific_force_real_t value_by_half_theta_z_y =
-        (attitude_20 * force_by_half_theta_x_y) - (attitude_22 * force_by_half_theta_y_z);
-    const navtk_specific_force_real_t value_by_gyro_bias_z_y = t113 * value_by_half_theta_z_y;
-    const navtk_specific_force_real_t value_by_half_theta_z_z =
-        (attitude_21 * force_by_half_theta_y_z) - (attitude_20 * t114);
-    const navtk_specific_force_real_t value_by_gyro_bias_z_z = t113 * value_by_half_theta_z_z;
-    const navtk_specific_force_real_t value_by_inverse_dt_x =
-        (attitude_00 * force_by_inverse_dt_x) + (attitude_01 * force_by_inverse_dt_y) +
-        (attitude_02 * force_by_inverse_dt_z);
     /* shared reciprocal */
-    const navtk_specific_force_real_t inverse_t211 = 1.0 / (in->dt * in->dt);
-    const navtk_specific_force_real_t t219 = 0.5 * in->gyro_bias_x;
-    const navtk_specific_force_real_t t218 = (value_by_inverse_dt_x * inverse_t211) +
-        (in->accelerometer_bias_x * value_by_v_x_x) + (in->accelerometer_bias_y * value_by_v_x_y) +
-        (in->accelerometer_bias_z * value_by_v_x_z);
-    const navtk_specific_force_real_t t222 = 0.5 * in->gyro_bias_y;
-    const navtk_specific_force_real_t t225 = 0.5 * in->gyro_bias_z;
-    const navtk_specific_force_real_t value_by_dt_x_3 = -(t218 + (t219 * value_by_half_theta_x_x) +
-        (t222 * value_by_half_theta_x_y) + (t225 * value_by_half_theta_x_z));
-    const navtk_specific_force_real_t value_by_inverse_dt_y =
-        (attitude_10 * force_by_inverse_dt_x) + (attitude_11 * force_by_inverse_dt_y) +
-        (attitude_12 * force_by_inverse_dt_z);
-    const navtk_specific_force_real_t t240 = (value_by_inverse_dt_y * inverse_t211) +
-        (in->accelerometer_bias_x * value_by_v_y_x) + (in->accelerometer_bias_y * value_by_v_y_y) +
-        (in->accelerometer_bias_z * value_by_v_y_z);
-    const navtk_specific_force_real_t value_by_dt_y_3 = -(t240 + (t219 * value_by_half_theta_y_x) +
-        (t222 * value_by_half_theta_y_y) + (t225 * value_by_half_theta_y_z));
-    const navtk_specific_force_real_t value_by_inverse_dt_z =
-        (attitude_20 * force_by_inverse_dt_x) + (attitude_21 * force_by_inverse_dt_y) +
-        (attitude_22 * force_by_inverse_dt_z);
-    const navtk_specific_force_real_t t259 = (value_by_inverse_dt_z * inverse_t211) +
-        (in->accelerometer_bias_x * value_by_v_z_x) + (in->accelerometer_bias_y * value_by_v_z_y) +
-        (in->accelerometer_bias_z * value_by_v_z_z);
-    const navtk_specific_force_real_t value_by_dt_z_3 = -(t259 + (t219 * value_by_half_theta_z_x) +
-        (t222 * value_by_half_theta_z_y) + (t225 * value_by_half_theta_z_z));
+    const navtk_specific_force_real_t inverse_t243 = 1.0 / (in->dt * in->dt);
+    const navtk_specific_force_real_t t244 = t36 * inverse_t243;
+    const navtk_specific_force_real_t t246 = t52 * inverse_t243;
+    const navtk_specific_force_real_t t249 = t62 * inverse_t243;
+    const navtk_specific_force_real_t t253 = (attitude_00 * t244) + (attitude_01 * t246) +
+        (attitude_02 * t249) + (in->accelerometer_bias_x * value_by_v_x_x);
+    const navtk_specific_force_real_t t262 = (in->gyro_bias_y * value_by_a_x_y) +
+        (in->gyro_bias_z * value_by_a_x_z);
+    const navtk_specific_force_real_t value_by_dt_x_3 = -(t253 +
+        ((in->accelerometer_bias_y * value_by_v_x_y) +
+        (in->accelerometer_bias_z * value_by_v_x_z)) + (in->gyro_bias_x * value_by_a_x_x) + t262);
+    const navtk_specific_force_real_t t271 = (attitude_10 * t244) + (attitude_11 * t246) +
+        (attitude_12 * t249) + (in->accelerometer_bias_x * value_by_v_y_x);
+    const navtk_specific_force_real_t t280 = (in->gyro_bias_y * value_by_a_y_y) +
+        (in->gyro_bias_z * value_by_a_y_z);
+    const navtk_specific_force_real_t value_by_dt_y_3 = -(t271 +
+        ((in->accelerometer_bias_y * value_by_v_y_y) +
+        (in->accelerometer_bias_z * value_by_v_y_z)) + (in->gyro_bias_x * value_by_a_y_x) + t280);
+    const navtk_specific_force_real_t t289 = (attitude_20 * t244) + (attitude_21 * t246) +
+        (attitude_22 * t249) + (in->accelerometer_bias_x * value_by_v_z_x);
+    const navtk_specific_force_real_t t298 = (in->gyro_bias_y * value_by_a_z_y) +
+        (in->gyro_bias_z * value_by_a_z_z);
+    const navtk_specific_force_real_t value_by_dt_z_3 = -(t289 +
+        ((in->accelerometer_bias_y * value_by_v_z_y) +
+        (in->accelerometer_bias_z * value_by_v_z_z)) + (in->gyro_bias_x * value_by_a_z_x) + t298);
+    const navtk_specific_force_real_t value_by_gyro_bias_z_y = -(in->dt * value_by_a_z_y);
+    const navtk_specific_force_real_t value_by_gyro_bias_x_z = -(in->dt * value_by_a_x_z);
+    const navtk_specific_force_real_t value_by_gyro_bias_y_x = -(in->dt * value_by_a_y_x);
+    const navtk_specific_force_real_t value_by_gyro_bias_x_x = -(in->dt * value_by_a_x_x);
+    const navtk_specific_force_real_t value_by_gyro_bias_x_y = -(in->dt * value_by_a_x_y);
+    const navtk_specific_force_real_t value_by_gyro_bias_y_y = -(in->dt * value_by_a_y_y);
+    const navtk_specific_force_real_t value_by_gyro_bias_y_z = -(in->dt * value_by_a_y_z);
+    const navtk_specific_force_real_t value_by_gyro_bias_z_x = -(in->dt * value_by_a_z_x);
+    const navtk_specific_force_real_t value_by_gyro_bias_z_z = -(in->dt * value_by_a_z_z);
 
     out->value[0] = resolved_x;  /* value x */
     out->value[1] = resolved_y;  /* value y */
@@ -263,15 +259,15 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t force_kernel(const force_input_t *in, force_o
     out->jacobian[22] = value_by_gyro_bias_z_y;  /* value z, gyro_bias y */
     out->jacobian[23] = value_by_gyro_bias_z_z;  /* value z, gyro_bias z */
 
-    out->jacobian_delta_theta[0] = 0.5 * value_by_half_theta_x_x;  /* value x, delta_theta x */
-    out->jacobian_delta_theta[1] = 0.5 * value_by_half_theta_x_y;  /* value x, delta_theta y */
-    out->jacobian_delta_theta[2] = 0.5 * value_by_half_theta_x_z;  /* value x, delta_theta z */
-    out->jacobian_delta_theta[3] = 0.5 * value_by_half_theta_y_x;  /* value y, delta_theta x */
-    out->jacobian_delta_theta[4] = 0.5 * value_by_half_theta_y_y;  /* value y, delta_theta y */
-    out->jacobian_delta_theta[5] = 0.5 * value_by_half_theta_y_z;  /* value y, delta_theta z */
-    out->jacobian_delta_theta[6] = 0.5 * value_by_half_theta_z_x;  /* value z, delta_theta x */
-    out->jacobian_delta_theta[7] = 0.5 * value_by_half_theta_z_y;  /* value z, delta_theta y */
-    out->jacobian_delta_theta[8] = 0.5 * value_by_half_theta_z_z;  /* value z, delta_theta z */
+    out->jacobian_delta_theta[0] = value_by_a_x_x;  /* value x, delta_theta x */
+    out->jacobian_delta_theta[1] = value_by_a_x_y;  /* value x, delta_theta y */
+    out->jacobian_delta_theta[2] = value_by_a_x_z;  /* value x, delta_theta z */
+    out->jacobian_delta_theta[3] = value_by_a_y_x;  /* value y, delta_theta x */
+    out->jacobian_delta_theta[4] = value_by_a_y_y;  /* value y, delta_theta y */
+    out->jacobian_delta_theta[5] = value_by_a_y_z;  /* value y, delta_theta z */
+    out->jacobian_delta_theta[6] = value_by_a_z_x;  /* value z, delta_theta x */
+    out->jacobian_delta_theta[7] = value_by_a_z_y;  /* value z, delta_theta y */
+    out->jacobian_delta_theta[8] = value_by_a_z_z;  /* value z, delta_theta z */
 
     out->jacobian_delta_velocity[0] = value_by_v_x_x;  /* value x, delta_velocity x */
     out->jacobian_delta_velocity[1] = value_by_v_x_y;  /* value x, delta_velocity y */

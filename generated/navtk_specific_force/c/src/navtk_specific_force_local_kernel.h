@@ -124,23 +124,26 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t local_load(
 /* Error between two states: values and structural non-zeros. */
 NAVTK_SPECIFIC_FORCE_INLINE flag_t local_kernel(const local_input_t *in, local_output_t *out)
 {
-    const navtk_specific_force_real_t attitude_log_of_x = (in->attitude_w * in->attitude_x_2) +
-        (in->attitude_y * in->attitude_z_2) - (in->attitude_x * in->attitude_w_2) -
-        (in->attitude_z * in->attitude_y_2);
-    const navtk_specific_force_real_t attitude_log_of_y = (in->attitude_w * in->attitude_y_2) +
-        (in->attitude_z * in->attitude_x_2) - (in->attitude_x * in->attitude_z_2) -
-        (in->attitude_y * in->attitude_w_2);
-    const navtk_specific_force_real_t attitude_log_of_z = (in->attitude_w * in->attitude_z_2) +
-        (in->attitude_x * in->attitude_y_2) - (in->attitude_y * in->attitude_x_2) -
-        (in->attitude_z * in->attitude_w_2);
+    const navtk_specific_force_real_t attitude_log_of_w = (in->attitude_w * in->attitude_w_2) +
+        (in->attitude_x * in->attitude_x_2) +
+        ((in->attitude_y * in->attitude_y_2) + (in->attitude_z * in->attitude_z_2));
+    const navtk_specific_force_real_t attitude_log_of_x = (in->attitude_w * in->attitude_x_2) -
+        (in->attitude_x * in->attitude_w_2) +
+        ((in->attitude_y * in->attitude_z_2) - (in->attitude_z * in->attitude_y_2));
+    const navtk_specific_force_real_t attitude_log_of_y = (in->attitude_w * in->attitude_y_2) -
+        (in->attitude_x * in->attitude_z_2) +
+        ((in->attitude_z * in->attitude_x_2) - (in->attitude_y * in->attitude_w_2));
+    const navtk_specific_force_real_t attitude_log_of_z = (in->attitude_w * in->attitude_z_2) -
+        (in->attitude_y * in->attitude_x_2) +
+        ((in->attitude_x * in->attitude_y_2) - (in->attitude_z * in->attitude_w_2));
+    const navtk_specific_force_real_t attitude_log_sign = (attitude_log_of_w < 0.0) ? (-1.0) : 1.0;
+    const navtk_specific_force_real_t attitude_log_w = attitude_log_of_w * attitude_log_sign;
     const navtk_specific_force_real_t attitude_log_sine_squared =
         (attitude_log_of_x * attitude_log_of_x) + (attitude_log_of_y * attitude_log_of_y) +
         (attitude_log_of_z * attitude_log_of_z);
-    const navtk_specific_force_real_t attitude_log_of_w = (in->attitude_w * in->attitude_w_2) +
-        (in->attitude_x * in->attitude_x_2) + (in->attitude_y * in->attitude_y_2) +
-        (in->attitude_z * in->attitude_z_2);
-    const navtk_specific_force_real_t attitude_log_sign = (attitude_log_of_w < 0.0) ? (-1.0) : 1.0;
-    const navtk_specific_force_real_t attitude_log_w = attitude_log_of_w * attitude_log_sign;
+    const navtk_specific_force_real_t attitude_log_safe_squared =
+        (attitude_log_sine_squared < 0.01) ? 1.0 : attitude_log_sine_squared;
+    const navtk_specific_force_real_t attitude_log_sine = sqrt(attitude_log_safe_squared);
     const navtk_specific_force_real_t attitude_log_cosine = (attitude_log_sine_squared < 0.01) ?
         attitude_log_w : 1.0;
     const navtk_specific_force_real_t attitude_log_tangent_squared = attitude_log_sine_squared /
@@ -155,9 +158,6 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t local_kernel(const local_input_t *in, local_o
         0.3333333333333333;
     const navtk_specific_force_real_t attitude_log_series = 1.0 +
         (attitude_log_tangent_squared * t97);
-    const navtk_specific_force_real_t attitude_log_safe_squared =
-        (attitude_log_sine_squared < 0.01) ? 1.0 : attitude_log_sine_squared;
-    const navtk_specific_force_real_t attitude_log_sine = sqrt(attitude_log_safe_squared);
     const navtk_specific_force_real_t attitude_log_far =
         (2.0 * atan2(attitude_log_sine, attitude_log_w)) / attitude_log_sine;
     const navtk_specific_force_real_t attitude_log_scale = (attitude_log_sine_squared < 0.01) ?

@@ -123,29 +123,29 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t retract_kernel(const retract_input_t *in, ret
     const navtk_specific_force_real_t attitude_exp_angle_squared =
         (in->attitude_x_2 * in->attitude_x_2) + (in->attitude_y_2 * in->attitude_y_2) +
         (in->attitude_z_2 * in->attitude_z_2);
+    const navtk_specific_force_real_t attitude_exp_safe_squared =
+        (attitude_exp_angle_squared < 0.01) ? 1.0 : attitude_exp_angle_squared;
+    const navtk_specific_force_real_t attitude_exp_angle = sqrt(attitude_exp_safe_squared);
     const navtk_specific_force_real_t t39 = attitude_exp_angle_squared *
         ((attitude_exp_angle_squared * (0.0026041666666666665 + (attitude_exp_angle_squared *
         ((9.68812003968254e-08 * attitude_exp_angle_squared) - 2.170138888888889e-05)))) - 0.125);
     const navtk_specific_force_real_t attitude_exp_near_cosine = 1.0 + t39;
-    const navtk_specific_force_real_t attitude_exp_safe_squared =
-        (attitude_exp_angle_squared < 0.01) ? 1.0 : attitude_exp_angle_squared;
-    const navtk_specific_force_real_t attitude_exp_angle = sqrt(attitude_exp_safe_squared);
-    const navtk_specific_force_real_t attitude_exp_half = 0.5 * attitude_exp_angle;
-    const navtk_specific_force_real_t attitude_exp_far_cosine = cos(attitude_exp_half);
-    const navtk_specific_force_real_t attitude_exp_cosine = (attitude_exp_angle_squared < 0.01) ?
-        attitude_exp_near_cosine : attitude_exp_far_cosine;
     const navtk_specific_force_real_t t64 = attitude_exp_angle_squared *
         ((attitude_exp_angle_squared * (0.00026041666666666666 + (attitude_exp_angle_squared *
         ((5.382288910934745e-09 * attitude_exp_angle_squared) - 1.5500992063492063e-06)))) -
         0.020833333333333332);
     const navtk_specific_force_real_t attitude_exp_near_sinc = 0.5 + t64;
+    const navtk_specific_force_real_t attitude_exp_half = 0.5 * attitude_exp_angle;
+    const navtk_specific_force_real_t attitude_exp_far_cosine = cos(attitude_exp_half);
     const navtk_specific_force_real_t attitude_exp_far_sinc = sin(attitude_exp_half) /
         attitude_exp_angle;
+    const navtk_specific_force_real_t attitude_exp_cosine = (attitude_exp_angle_squared < 0.01) ?
+        attitude_exp_near_cosine : attitude_exp_far_cosine;
     const navtk_specific_force_real_t attitude_exp_sinc = (attitude_exp_angle_squared < 0.01) ?
         attitude_exp_near_sinc : attitude_exp_far_sinc;
     const navtk_specific_force_real_t t71 = attitude_exp_sinc * in->attitude_x_2;
     const navtk_specific_force_real_t t75 = attitude_exp_sinc * in->attitude_y_2;
-    const navtk_specific_force_real_t t79 = attitude_exp_sinc * in->attitude_z_2;
+    const navtk_specific_force_real_t t78 = attitude_exp_sinc * in->attitude_z_2;
 
     out->value[0] = in->position_x_2 + in->position_x;  /* position x */
     out->value[1] = in->position_y_2 + in->position_y;  /* position y */
@@ -155,16 +155,16 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t retract_kernel(const retract_input_t *in, ret
     out->value[5] = in->velocity_z_2 + in->velocity_z;  /* velocity z */
     /* attitude w */
     out->value[6] = (attitude_exp_cosine * in->attitude_w) + (t71 * in->attitude_x) +
-        (t75 * in->attitude_y) + (t79 * in->attitude_z);
+        ((t75 * in->attitude_y) + (t78 * in->attitude_z));
     /* attitude x */
-    out->value[7] = (attitude_exp_cosine * in->attitude_x) - (t71 * in->attitude_w) -
-        (t75 * in->attitude_z) + (t79 * in->attitude_y);
+    out->value[7] = (attitude_exp_cosine * in->attitude_x) - (t71 * in->attitude_w) +
+        ((t78 * in->attitude_y) - (t75 * in->attitude_z));
     /* attitude y */
-    out->value[8] = (attitude_exp_cosine * in->attitude_y) - (t75 * in->attitude_w) -
-        (t79 * in->attitude_x) + (t71 * in->attitude_z);
+    out->value[8] = (attitude_exp_cosine * in->attitude_y) - (t75 * in->attitude_w) +
+        ((t71 * in->attitude_z) - (t78 * in->attitude_x));
     /* attitude z */
-    out->value[9] = (attitude_exp_cosine * in->attitude_z) - (t71 * in->attitude_y) -
-        (t79 * in->attitude_w) + (t75 * in->attitude_x);
+    out->value[9] = (attitude_exp_cosine * in->attitude_z) - (t71 * in->attitude_y) +
+        ((t75 * in->attitude_x) - (t78 * in->attitude_w));
     /* accelerometer_bias x */
     out->value[10] = in->accelerometer_bias_x + in->accelerometer_bias_x_2;
     /* accelerometer_bias y */

@@ -100,213 +100,184 @@ ROVER_INLINE flag_t imu_load(
 ROVER_INLINE flag_t imu_kernel(const imu_input_t *in, imu_output_t *out)
 {
     const rover_real_t inverse_dt = 1.0 / in->dt;  /* shared reciprocal */
-    const rover_real_t attitude_twice_y = 2.0 * in->attitude_y;
-    const rover_real_t attitude_twice_yy = attitude_twice_y * in->attitude_y;
-    const rover_real_t attitude_twice_z = 2.0 * in->attitude_z;
-    const rover_real_t attitude_twice_zz = attitude_twice_z * in->attitude_z;
-    const rover_real_t attitude_00 = 1.0 - attitude_twice_yy - attitude_twice_zz;
-    const rover_real_t delta_theta_dt = 0.5 * in->dt;
-    const rover_real_t accelerometer_bias_step_x = in->accelerometer_bias_x * delta_theta_dt;
-    const rover_real_t v1_x = in->delta_velocity_0 - accelerometer_bias_step_x;
-    const rover_real_t v2_x = in->delta_velocity_3 - accelerometer_bias_step_x;
-    const rover_real_t velocity_x = v1_x + v2_x;
-    const rover_real_t gyro_bias_step_z = delta_theta_dt * in->gyro_bias_z;
-    const rover_real_t a2_z = in->delta_theta_5 - gyro_bias_step_z;
-    const rover_real_t accelerometer_bias_step_y = in->accelerometer_bias_y * delta_theta_dt;
-    const rover_real_t v1_y = in->delta_velocity_1 - accelerometer_bias_step_y;
-    const rover_real_t sculling2_velocity_y = 0.6666666666666666 * v1_y;
-    const rover_real_t gyro_bias_step_y = delta_theta_dt * in->gyro_bias_y;
-    const rover_real_t a1_y = in->delta_theta_1 - gyro_bias_step_y;
-    const rover_real_t a2_y = in->delta_theta_4 - gyro_bias_step_y;
-    const rover_real_t theta_y = a1_y + a2_y;
-    const rover_real_t half_theta_y = 0.5 * theta_y;
-    const rover_real_t accelerometer_bias_step_z = in->accelerometer_bias_z * delta_theta_dt;
-    const rover_real_t v1_z = in->delta_velocity_2 - accelerometer_bias_step_z;
-    const rover_real_t v2_z = in->delta_velocity_5 - accelerometer_bias_step_z;
-    const rover_real_t velocity_z = v1_z + v2_z;
-    const rover_real_t sculling2_angle_y = 0.6666666666666666 * a1_y;
-    const rover_real_t sculling2_velocity_z = 0.6666666666666666 * v1_z;
-    const rover_real_t t52 = a2_y * sculling2_velocity_z;
-    const rover_real_t a1_z = in->delta_theta_2 - gyro_bias_step_z;
-    const rover_real_t theta_z = a1_z + a2_z;
-    const rover_real_t half_theta_z = 0.5 * theta_z;
-    const rover_real_t v2_y = in->delta_velocity_4 - accelerometer_bias_step_y;
-    const rover_real_t velocity_y = v1_y + v2_y;
-    const rover_real_t t53 = velocity_x + (a2_z * sculling2_velocity_y) +
-        (half_theta_y * velocity_z) + (sculling2_angle_y * v2_z) - t52;
-    const rover_real_t sculling2_angle_z = 0.6666666666666666 * a1_z;
-    const rover_real_t force_x = (t53 - (half_theta_z * velocity_y) - (sculling2_angle_z * v2_y)) *
-        inverse_dt;
-    const rover_real_t attitude_twice_xy = attitude_twice_y * in->attitude_x;
-    const rover_real_t attitude_twice_wz = attitude_twice_z * in->attitude_w;
-    const rover_real_t attitude_01 = attitude_twice_xy - attitude_twice_wz;
-    const rover_real_t gyro_bias_step_x = delta_theta_dt * in->gyro_bias_x;
-    const rover_real_t a2_x = in->delta_theta_3 - gyro_bias_step_x;
-    const rover_real_t sculling2_velocity_x = 0.6666666666666666 * v1_x;
-    const rover_real_t t84 = a2_z * sculling2_velocity_x;
-    const rover_real_t a1_x = in->delta_theta_0 - gyro_bias_step_x;
-    const rover_real_t theta_x = a1_x + a2_x;
-    const rover_real_t half_theta_x = 0.5 * theta_x;
-    const rover_real_t t85 = velocity_y + (a2_x * sculling2_velocity_z) +
-        (half_theta_z * velocity_x) + (sculling2_angle_z * v2_x) - t84;
-    const rover_real_t sculling2_angle_x = 0.6666666666666666 * a1_x;
-    const rover_real_t force_y = (t85 - (half_theta_x * velocity_z) - (sculling2_angle_x * v2_z)) *
-        inverse_dt;
-    const rover_real_t attitude_twice_wy = attitude_twice_y * in->attitude_w;
-    const rover_real_t attitude_twice_xz = attitude_twice_z * in->attitude_x;
-    const rover_real_t attitude_02 = attitude_twice_wy + attitude_twice_xz;
-    const rover_real_t t107 = a2_x * sculling2_velocity_y;
-    const rover_real_t t108 = velocity_z + (a2_y * sculling2_velocity_x) +
-        (half_theta_x * velocity_y) + (sculling2_angle_x * v2_y) - t107;
-    const rover_real_t force_z = (t108 - (half_theta_y * velocity_x) - (sculling2_angle_y * v2_x)) *
-        inverse_dt;
-    const rover_real_t resolved_x = (attitude_00 * force_x) + (attitude_01 * force_y) +
-        (attitude_02 * force_z);
-    const rover_real_t attitude_10 = attitude_twice_wz + attitude_twice_xy;
     const rover_real_t attitude_twice_x = 2.0 * in->attitude_x;
+    const rover_real_t attitude_twice_y = 2.0 * in->attitude_y;
+    const rover_real_t attitude_twice_z = 2.0 * in->attitude_z;
     const rover_real_t attitude_twice_xx = attitude_twice_x * in->attitude_x;
-    const rover_real_t t120 = 1.0 - attitude_twice_xx;
-    const rover_real_t attitude_11 = t120 - attitude_twice_zz;
+    const rover_real_t attitude_twice_yy = attitude_twice_y * in->attitude_y;
+    const rover_real_t attitude_twice_zz = attitude_twice_z * in->attitude_z;
+    const rover_real_t attitude_twice_xy = attitude_twice_y * in->attitude_x;
+    const rover_real_t attitude_twice_xz = attitude_twice_z * in->attitude_x;
     const rover_real_t attitude_twice_yz = attitude_twice_z * in->attitude_y;
     const rover_real_t attitude_twice_wx = attitude_twice_x * in->attitude_w;
+    const rover_real_t attitude_twice_wy = attitude_twice_y * in->attitude_w;
+    const rover_real_t attitude_twice_wz = attitude_twice_z * in->attitude_w;
+    const rover_real_t attitude_00 = 1.0 - attitude_twice_yy - attitude_twice_zz;
+    const rover_real_t attitude_01 = attitude_twice_xy - attitude_twice_wz;
+    const rover_real_t attitude_02 = attitude_twice_wy + attitude_twice_xz;
+    const rover_real_t attitude_10 = attitude_twice_wz + attitude_twice_xy;
+    const rover_real_t t120 = 1.0 - attitude_twice_xx;
+    const rover_real_t attitude_11 = t120 - attitude_twice_zz;
     const rover_real_t attitude_12 = attitude_twice_yz - attitude_twice_wx;
-    const rover_real_t resolved_y = (attitude_10 * force_x) + (attitude_11 * force_y) +
-        (attitude_12 * force_z);
     const rover_real_t attitude_20 = attitude_twice_xz - attitude_twice_wy;
     const rover_real_t attitude_21 = attitude_twice_wx + attitude_twice_yz;
     const rover_real_t attitude_22 = t120 - attitude_twice_yy;
+    const rover_real_t delta_theta_dt = 0.5 * in->dt;
+    const rover_real_t gyro_bias_step_x = delta_theta_dt * in->gyro_bias_x;
+    const rover_real_t gyro_bias_step_y = delta_theta_dt * in->gyro_bias_y;
+    const rover_real_t gyro_bias_step_z = delta_theta_dt * in->gyro_bias_z;
+    const rover_real_t a1_x = in->delta_theta_0 - gyro_bias_step_x;
+    const rover_real_t a1_y = in->delta_theta_1 - gyro_bias_step_y;
+    const rover_real_t a1_z = in->delta_theta_2 - gyro_bias_step_z;
+    const rover_real_t a2_x = in->delta_theta_3 - gyro_bias_step_x;
+    const rover_real_t a2_y = in->delta_theta_4 - gyro_bias_step_y;
+    const rover_real_t a2_z = in->delta_theta_5 - gyro_bias_step_z;
+    const rover_real_t accelerometer_bias_step_x = in->accelerometer_bias_x * delta_theta_dt;
+    const rover_real_t accelerometer_bias_step_y = in->accelerometer_bias_y * delta_theta_dt;
+    const rover_real_t accelerometer_bias_step_z = in->accelerometer_bias_z * delta_theta_dt;
+    const rover_real_t v1_x = in->delta_velocity_0 - accelerometer_bias_step_x;
+    const rover_real_t v1_y = in->delta_velocity_1 - accelerometer_bias_step_y;
+    const rover_real_t v1_z = in->delta_velocity_2 - accelerometer_bias_step_z;
+    const rover_real_t v2_x = in->delta_velocity_3 - accelerometer_bias_step_x;
+    const rover_real_t v2_y = in->delta_velocity_4 - accelerometer_bias_step_y;
+    const rover_real_t v2_z = in->delta_velocity_5 - accelerometer_bias_step_z;
+    const rover_real_t theta_x = a1_x + a2_x;
+    const rover_real_t theta_y = a1_y + a2_y;
+    const rover_real_t theta_z = a1_z + a2_z;
+    const rover_real_t velocity_x = v1_x + v2_x;
+    const rover_real_t velocity_y = v1_y + v2_y;
+    const rover_real_t velocity_z = v1_z + v2_z;
+    const rover_real_t sculling2_angle_x = 0.6666666666666666 * a1_x;
+    const rover_real_t sculling2_angle_y = 0.6666666666666666 * a1_y;
+    const rover_real_t sculling2_angle_z = 0.6666666666666666 * a1_z;
+    const rover_real_t sculling2_velocity_x = 0.6666666666666666 * v1_x;
+    const rover_real_t sculling2_velocity_y = 0.6666666666666666 * v1_y;
+    const rover_real_t sculling2_velocity_z = 0.6666666666666666 * v1_z;
+    const rover_real_t half_theta_x = 0.5 * theta_x;
+    const rover_real_t half_theta_y = 0.5 * theta_y;
+    const rover_real_t half_theta_z = 0.5 * theta_z;
+    const rover_real_t t64 = (half_theta_y * velocity_z) - (half_theta_z * velocity_y) +
+        ((sculling2_angle_y * v2_z) - (sculling2_angle_z * v2_y));
+    const rover_real_t force_x =
+        (velocity_x + ((a2_z * sculling2_velocity_y) - (a2_y * sculling2_velocity_z)) + t64) *
+        inverse_dt;
+    const rover_real_t t93 = (half_theta_z * velocity_x) - (half_theta_x * velocity_z) +
+        ((sculling2_angle_z * v2_x) - (sculling2_angle_x * v2_z));
+    const rover_real_t force_y =
+        (velocity_y + ((a2_x * sculling2_velocity_z) - (a2_z * sculling2_velocity_x)) + t93) *
+        inverse_dt;
+    const rover_real_t t111 = (half_theta_x * velocity_y) - (half_theta_y * velocity_x) +
+        ((sculling2_angle_x * v2_y) - (sculling2_angle_y * v2_x));
+    const rover_real_t force_z =
+        (velocity_z + ((a2_y * sculling2_velocity_x) - (a2_x * sculling2_velocity_y)) + t111) *
+        inverse_dt;
+    const rover_real_t resolved_x = (attitude_00 * force_x) + (attitude_01 * force_y) +
+        (attitude_02 * force_z);
+    const rover_real_t resolved_y = (attitude_10 * force_x) + (attitude_11 * force_y) +
+        (attitude_12 * force_z);
     const rover_real_t resolved_z = (attitude_20 * force_x) + (attitude_21 * force_y) +
         (attitude_22 * force_z);
-    const rover_real_t value_by_attitude_x_x = (attitude_02 * force_y) - (attitude_01 * force_z);
-    const rover_real_t value_by_attitude_x_y = (attitude_00 * force_z) - (attitude_02 * force_x);
-    const rover_real_t value_by_attitude_x_z = (attitude_01 * force_x) - (attitude_00 * force_y);
-    const rover_real_t t146 = half_theta_z * inverse_dt;
-    const rover_real_t resolved_inner_by_accelerometer_bias_step_x_y = t146 +
-        ((sculling2_angle_z * inverse_dt) + t146);
-    const rover_real_t force_by_sculling2_velocity_x_y = a2_z * inverse_dt;
-    const rover_real_t resolved_inner_by_accelerometer_bias_step_x_y_2 =
-        resolved_inner_by_accelerometer_bias_step_x_y -
-        (0.6666666666666666 * force_by_sculling2_velocity_x_y);
-    const rover_real_t resolved_inner_by_accelerometer_bias_x_y = delta_theta_dt *
-        resolved_inner_by_accelerometer_bias_step_x_y_2;
-    const rover_real_t force_by_velocity_x_z = half_theta_y * inverse_dt;
-    const rover_real_t force_by_v2_x_z = sculling2_angle_y * inverse_dt;
-    const rover_real_t resolved_inner_by_v2_x_z = force_by_v2_x_z + force_by_velocity_x_z;
-    const rover_real_t resolved_inner_by_accelerometer_bias_step_x_z_2 =
-        (0.6666666666666666 * (a2_y * inverse_dt)) -
-        (force_by_velocity_x_z + resolved_inner_by_v2_x_z);
-    const rover_real_t resolved_inner_by_accelerometer_bias_x_z = delta_theta_dt *
-        resolved_inner_by_accelerometer_bias_step_x_z_2;
-    const rover_real_t value_by_accelerometer_bias_x_x = -(attitude_00 +
-        (attitude_01 * resolved_inner_by_accelerometer_bias_x_y) +
-        (attitude_02 * resolved_inner_by_accelerometer_bias_x_z));
-    const rover_real_t t169 = half_theta_x * inverse_dt;
-    const rover_real_t resolved_inner_by_accelerometer_bias_step_y_z = t169 +
-        ((sculling2_angle_x * inverse_dt) + t169);
-    const rover_real_t force_by_sculling2_velocity_y_z = a2_x * inverse_dt;
-    const rover_real_t resolved_inner_by_accelerometer_bias_step_y_z_2 =
-        resolved_inner_by_accelerometer_bias_step_y_z -
-        (0.6666666666666666 * force_by_sculling2_velocity_y_z);
-    const rover_real_t resolved_inner_by_accelerometer_bias_y_z = delta_theta_dt *
-        resolved_inner_by_accelerometer_bias_step_y_z_2;
-    const rover_real_t value_by_accelerometer_bias_x_y =
-        (attitude_00 * resolved_inner_by_accelerometer_bias_x_y) - attitude_01 -
-        (attitude_02 * resolved_inner_by_accelerometer_bias_y_z);
-    const rover_real_t value_by_accelerometer_bias_x_z =
-        (attitude_00 * resolved_inner_by_accelerometer_bias_x_z) +
-        (attitude_01 * resolved_inner_by_accelerometer_bias_y_z) - attitude_02;
-    const rover_real_t force_by_sculling2_angle_x_y = v2_z * inverse_dt;
-    const rover_real_t force_by_half_theta_x_y = velocity_z * inverse_dt;
-    const rover_real_t t186 = 0.5 * force_by_half_theta_x_y;
-    const rover_real_t resolved_inner_by_a2_x_y = t186 - (sculling2_velocity_z * inverse_dt);
-    const rover_real_t t191 = delta_theta_dt *
-        ((0.6666666666666666 * force_by_sculling2_angle_x_y) + t186 + resolved_inner_by_a2_x_y);
-    const rover_real_t t196 = 0.5 * (velocity_y * inverse_dt);
-    const rover_real_t resolved_inner_by_gyro_bias_step_x_z =
-        (0.6666666666666666 * (v2_y * inverse_dt)) + t196;
-    const rover_real_t force_by_a2_x_z = sculling2_velocity_y * inverse_dt;
-    const rover_real_t resolved_inner_by_a2_x_z = force_by_a2_x_z - t196;
-    const rover_real_t resolved_inner_by_gyro_bias_step_x_z_2 =
-        resolved_inner_by_gyro_bias_step_x_z - resolved_inner_by_a2_x_z;
-    const rover_real_t resolved_inner_by_gyro_bias_x_z = delta_theta_dt *
-        resolved_inner_by_gyro_bias_step_x_z_2;
-    const rover_real_t value_by_gyro_bias_x_x = (attitude_01 * t191) -
-        (attitude_02 * resolved_inner_by_gyro_bias_x_z);
-    const rover_real_t force_by_sculling2_angle_y_z = v2_x * inverse_dt;
-    const rover_real_t force_by_half_theta_y_z = velocity_x * inverse_dt;
-    const rover_real_t t207 = 0.5 * force_by_half_theta_y_z;
-    const rover_real_t resolved_inner_by_a2_y_z = t207 - (sculling2_velocity_x * inverse_dt);
-    const rover_real_t t212 = delta_theta_dt *
-        ((0.6666666666666666 * force_by_sculling2_angle_y_z) + t207 + resolved_inner_by_a2_y_z);
-    const rover_real_t value_by_gyro_bias_x_y = (attitude_02 * t212) - (attitude_00 * t191);
-    const rover_real_t value_by_gyro_bias_x_z = (attitude_00 * resolved_inner_by_gyro_bias_x_z) -
-        (attitude_01 * t212);
-    const rover_real_t value_by_attitude_y_x = (attitude_12 * force_y) - (attitude_11 * force_z);
-    const rover_real_t value_by_attitude_y_y = (attitude_10 * force_z) - (attitude_12 * force_x);
-    const rover_real_t value_by_attitude_y_z = (attitude_11 * force_x) - (attitude_10 * force_y);
-    const rover_real_t value_by_accelerometer_bias_y_x = -(attitude_10 +
-        (attitude_11 * resolved_inner_by_accelerometer_bias_x_y) +
-        (attitude_12 * resolved_inner_by_accelerometer_bias_x_z));
-    const rover_real_t value_by_accelerometer_bias_y_y =
-        (attitude_10 * resolved_inner_by_accelerometer_bias_x_y) - attitude_11 -
-        (attitude_12 * resolved_inner_by_accelerometer_bias_y_z);
-    const rover_real_t value_by_accelerometer_bias_y_z =
-        (attitude_10 * resolved_inner_by_accelerometer_bias_x_z) +
-        (attitude_11 * resolved_inner_by_accelerometer_bias_y_z) - attitude_12;
-    const rover_real_t value_by_gyro_bias_y_x = (attitude_11 * t191) -
-        (attitude_12 * resolved_inner_by_gyro_bias_x_z);
-    const rover_real_t value_by_gyro_bias_y_y = (attitude_12 * t212) - (attitude_10 * t191);
-    const rover_real_t value_by_gyro_bias_y_z = (attitude_10 * resolved_inner_by_gyro_bias_x_z) -
-        (attitude_11 * t212);
-    const rover_real_t value_by_attitude_z_x = (attitude_22 * force_y) - (attitude_21 * force_z);
-    const rover_real_t value_by_attitude_z_y = (attitude_20 * force_z) - (attitude_22 * force_x);
-    const rover_real_t value_by_attitude_z_z = (attitude_21 * force_x) - (attitude_20 * force_y);
-    const rover_real_t value_by_accelerometer_bias_z_x = -(attitude_20 +
-        (attitude_21 * resolved_inner_by_accelerometer_bias_x_y) +
-        (attitude_22 * resolved_inner_by_accelerometer_bias_x_z));
-    const rover_real_t value_by_accelerometer_bias_z_y =
-        (attitude_20 * resolved_inner_by_accelerometer_bias_x_y) - attitude_21 -
-        (attitude_22 * resolved_inner_by_accelerometer_bias_y_z);
-    const rover_real_t value_by_accelerometer_bias_z_z =
-        (attitude_20 * resolved_inner_by_accelerometer_bias_x_z) +
-        (attitude_21 * resolved_inner_by_accelerometer_bias_y_z) - attitude_22;
-    const rover_real_t value_by_gyro_bias_z_x = (attitude_21 * t191) -
-        (attitude_22 * resolved_inner_by_gyro_bias_x_z);
-    const rover_real_t value_by_gyro_bias_z_y = (attitude_22 * t212) - (attitude_20 * t191);
-    const rover_real_t value_by_gyro_bias_z_z = (attitude_20 * resolved_inner_by_gyro_bias_x_z) -
-        (attitude_21 * t212);
+    const rover_real_t force_by_gyro_bias_z_y = (0.3333333333333333 * v2_x) -
+        (0.3333333333333333 * v1_x);
+    const rover_real_t force_by_gyro_bias_x_z = (0.3333333333333333 * v2_y) -
+        (0.3333333333333333 * v1_y);
+    const rover_real_t force_by_gyro_bias_y_x = (0.3333333333333333 * v2_z) -
+        (0.3333333333333333 * v1_z);
+    const rover_real_t force_by_accelerometer_bias_z_y_2 = (0.3333333333333333 * a2_x) -
+        (half_theta_x + (0.3333333333333333 * a1_x));
+    const rover_real_t force_by_accelerometer_bias_x_z_2 = (0.3333333333333333 * a2_y) -
+        (half_theta_y + (0.3333333333333333 * a1_y));
+    const rover_real_t force_by_accelerometer_bias_y_x_2 = (0.3333333333333333 * a2_z) -
+        (half_theta_z + (0.3333333333333333 * a1_z));
+    const rover_real_t force_by_gyro_bias_z_y_2 = force_by_gyro_bias_z_y + (0.5 * velocity_x);
+    const rover_real_t force_by_gyro_bias_x_z_2 = force_by_gyro_bias_x_z + (0.5 * velocity_y);
+    const rover_real_t force_by_gyro_bias_y_x_2 = force_by_gyro_bias_y_x + (0.5 * velocity_z);
+    const rover_real_t resolved_by_attitude_z_y = (attitude_20 * force_z) - (attitude_22 * force_x);
+    const rover_real_t resolved_by_attitude_x_z = (attitude_01 * force_x) - (attitude_00 * force_y);
+    const rover_real_t resolved_by_attitude_y_x = (attitude_12 * force_y) - (attitude_11 * force_z);
+    const rover_real_t resolved_by_attitude_x_x = (attitude_02 * force_y) - (attitude_01 * force_z);
+    const rover_real_t resolved_by_attitude_x_y = (attitude_00 * force_z) - (attitude_02 * force_x);
+    const rover_real_t resolved_by_attitude_y_y = (attitude_10 * force_z) - (attitude_12 * force_x);
+    const rover_real_t resolved_by_attitude_y_z = (attitude_11 * force_x) - (attitude_10 * force_y);
+    const rover_real_t resolved_by_attitude_z_x = (attitude_22 * force_y) - (attitude_21 * force_z);
+    const rover_real_t resolved_by_attitude_z_z = (attitude_21 * force_x) - (attitude_20 * force_y);
+    const rover_real_t resolved_by_gyro_bias_z_y = (attitude_22 * force_by_gyro_bias_z_y_2) -
+        (attitude_20 * force_by_gyro_bias_y_x_2);
+    const rover_real_t resolved_by_gyro_bias_x_z = (attitude_00 * force_by_gyro_bias_x_z_2) -
+        (attitude_01 * force_by_gyro_bias_z_y_2);
+    const rover_real_t resolved_by_gyro_bias_y_x = (attitude_11 * force_by_gyro_bias_y_x_2) -
+        (attitude_12 * force_by_gyro_bias_x_z_2);
+    const rover_real_t resolved_by_gyro_bias_x_x = (attitude_01 * force_by_gyro_bias_y_x_2) -
+        (attitude_02 * force_by_gyro_bias_x_z_2);
+    const rover_real_t resolved_by_gyro_bias_x_y = (attitude_02 * force_by_gyro_bias_z_y_2) -
+        (attitude_00 * force_by_gyro_bias_y_x_2);
+    const rover_real_t resolved_by_gyro_bias_y_y = (attitude_12 * force_by_gyro_bias_z_y_2) -
+        (attitude_10 * force_by_gyro_bias_y_x_2);
+    const rover_real_t resolved_by_gyro_bias_y_z = (attitude_10 * force_by_gyro_bias_x_z_2) -
+        (attitude_11 * force_by_gyro_bias_z_y_2);
+    const rover_real_t resolved_by_gyro_bias_z_x = (attitude_21 * force_by_gyro_bias_y_x_2) -
+        (attitude_22 * force_by_gyro_bias_x_z_2);
+    const rover_real_t resolved_by_gyro_bias_z_z = (attitude_20 * force_by_gyro_bias_x_z_2) -
+        (attitude_21 * force_by_gyro_bias_z_y_2);
+    const rover_real_t resolved_by_accelerometer_bias_z_y =
+        (attitude_22 * force_by_accelerometer_bias_z_y_2) - attitude_21 -
+        (attitude_20 * force_by_accelerometer_bias_y_x_2);
+    const rover_real_t resolved_by_accelerometer_bias_x_z =
+        (attitude_00 * force_by_accelerometer_bias_x_z_2) - attitude_02 -
+        (attitude_01 * force_by_accelerometer_bias_z_y_2);
+    const rover_real_t resolved_by_accelerometer_bias_y_x =
+        (attitude_11 * force_by_accelerometer_bias_y_x_2) - attitude_10 -
+        (attitude_12 * force_by_accelerometer_bias_x_z_2);
+    const rover_real_t resolved_by_accelerometer_bias_x_x =
+        (attitude_01 * force_by_accelerometer_bias_y_x_2) - attitude_00 -
+        (attitude_02 * force_by_accelerometer_bias_x_z_2);
+    const rover_real_t resolved_by_accelerometer_bias_x_y =
+        (attitude_02 * force_by_accelerometer_bias_z_y_2) - attitude_01 -
+        (attitude_00 * force_by_accelerometer_bias_y_x_2);
+    const rover_real_t resolved_by_accelerometer_bias_y_y =
+        (attitude_12 * force_by_accelerometer_bias_z_y_2) - attitude_11 -
+        (attitude_10 * force_by_accelerometer_bias_y_x_2);
+    const rover_real_t resolved_by_accelerometer_bias_y_z =
+        (attitude_10 * force_by_accelerometer_bias_x_z_2) - attitude_12 -
+        (attitude_11 * force_by_accelerometer_bias_z_y_2);
+    const rover_real_t resolved_by_accelerometer_bias_z_x =
+        (attitude_21 * force_by_accelerometer_bias_y_x_2) - attitude_20 -
+        (attitude_22 * force_by_accelerometer_bias_x_z_2);
+    const rover_real_t resolved_by_accelerometer_bias_z_z =
+        (attitude_20 * force_by_accelerometer_bias_x_z_2) - attitude_22 -
+        (attitude_21 * force_by_accelerometer_bias_z_y_2);
 
     out->value[0] = resolved_x;  /* value x */
     out->value[1] = resolved_y;  /* value y */
     out->value[2] = resolved_z;  /* value z */
 
-    out->jacobian[0] = value_by_attitude_x_x;  /* value x, attitude x */
-    out->jacobian[1] = value_by_attitude_x_y;  /* value x, attitude y */
-    out->jacobian[2] = value_by_attitude_x_z;  /* value x, attitude z */
-    out->jacobian[3] = value_by_accelerometer_bias_x_x;  /* value x, accelerometer_bias x */
-    out->jacobian[4] = value_by_accelerometer_bias_x_y;  /* value x, accelerometer_bias y */
-    out->jacobian[5] = value_by_accelerometer_bias_x_z;  /* value x, accelerometer_bias z */
-    out->jacobian[6] = value_by_gyro_bias_x_x;  /* value x, gyro_bias x */
-    out->jacobian[7] = value_by_gyro_bias_x_y;  /* value x, gyro_bias y */
-    out->jacobian[8] = value_by_gyro_bias_x_z;  /* value x, gyro_bias z */
-    out->jacobian[9] = value_by_attitude_y_x;  /* value y, attitude x */
-    out->jacobian[10] = value_by_attitude_y_y;  /* value y, attitude y */
-    out->jacobian[11] = value_by_attitude_y_z;  /* value y, attitude z */
-    out->jacobian[12] = value_by_accelerometer_bias_y_x;  /* value y, accelerometer_bias x */
-    out->jacobian[13] = value_by_accelerometer_bias_y_y;  /* value y, accelerometer_bias y */
-    out->jacobian[14] = value_by_accelerometer_bias_y_z;  /* value y, accelerometer_bias z */
-    out->jacobian[15] = value_by_gyro_bias_y_x;  /* value y, gyro_bias x */
-    out->jacobian[16] = value_by_gyro_bias_y_y;  /* value y, gyro_bias y */
-    out->jacobian[17] = value_by_gyro_bias_y_z;  /* value y, gyro_bias z */
-    out->jacobian[18] = value_by_attitude_z_x;  /* value z, attitude x */
-    out->jacobian[19] = value_by_attitude_z_y;  /* value z, attitude y */
-    out->jacobian[20] = value_by_attitude_z_z;  /* value z, attitude z */
-    out->jacobian[21] = value_by_accelerometer_bias_z_x;  /* value z, accelerometer_bias x */
-    out->jacobian[22] = value_by_accelerometer_bias_z_y;  /* value z, accelerometer_bias y */
-    out->jacobian[23] = value_by_accelerometer_bias_z_z;  /* value z, accelerometer_bias z */
-    out->jacobian[24] = value_by_gyro_bias_z_x;  /* value z, gyro_bias x */
-    out->jacobian[25] = value_by_gyro_bias_z_y;  /* value z, gyro_bias y */
-    out->jacobian[26] = value_by_gyro_bias_z_z;  /* value z, gyro_bias z */
+    out->jacobian[0] = resolved_by_attitude_x_x;  /* value x, attitude x */
+    out->jacobian[1] = resolved_by_attitude_x_y;  /* value x, attitude y */
+    out->jacobian[2] = resolved_by_attitude_x_z;  /* value x, attitude z */
+    out->jacobian[3] = resolved_by_accelerometer_bias_x_x;  /* value x, accelerometer_bias x */
+    out->jacobian[4] = resolved_by_accelerometer_bias_x_y;  /* value x, accelerometer_bias y */
+    out->jacobian[5] = resolved_by_accelerometer_bias_x_z;  /* value x, accelerometer_bias z */
+    out->jacobian[6] = resolved_by_gyro_bias_x_x;  /* value x, gyro_bias x */
+    out->jacobian[7] = resolved_by_gyro_bias_x_y;  /* value x, gyro_bias y */
+    out->jacobian[8] = resolved_by_gyro_bias_x_z;  /* value x, gyro_bias z */
+    out->jacobian[9] = resolved_by_attitude_y_x;  /* value y, attitude x */
+    out->jacobian[10] = resolved_by_attitude_y_y;  /* value y, attitude y */
+    out->jacobian[11] = resolved_by_attitude_y_z;  /* value y, attitude z */
+    out->jacobian[12] = resolved_by_accelerometer_bias_y_x;  /* value y, accelerometer_bias x */
+    out->jacobian[13] = resolved_by_accelerometer_bias_y_y;  /* value y, accelerometer_bias y */
+    out->jacobian[14] = resolved_by_accelerometer_bias_y_z;  /* value y, accelerometer_bias z */
+    out->jacobian[15] = resolved_by_gyro_bias_y_x;  /* value y, gyro_bias x */
+    out->jacobian[16] = resolved_by_gyro_bias_y_y;  /* value y, gyro_bias y */
+    out->jacobian[17] = resolved_by_gyro_bias_y_z;  /* value y, gyro_bias z */
+    out->jacobian[18] = resolved_by_attitude_z_x;  /* value z, attitude x */
+    out->jacobian[19] = resolved_by_attitude_z_y;  /* value z, attitude y */
+    out->jacobian[20] = resolved_by_attitude_z_z;  /* value z, attitude z */
+    out->jacobian[21] = resolved_by_accelerometer_bias_z_x;  /* value z, accelerometer_bias x */
+    out->jacobian[22] = resolved_by_accelerometer_bias_z_y;  /* value z, accelerometer_bias y */
+    out->jacobian[23] = resolved_by_accelerometer_bias_z_z;  /* value z, accelerometer_bias z */
+    out->jacobian[24] = resolved_by_gyro_bias_z_x;  /* value z, gyro_bias x */
+    out->jacobian[25] = resolved_by_gyro_bias_z_y;  /* value z, gyro_bias y */
+    out->jacobian[26] = resolved_by_gyro_bias_z_z;  /* value z, gyro_bias z */
 
     return (flag_t)ROVER_OK;
 }

@@ -133,67 +133,67 @@ ROVER_INLINE flag_t range_load(
 /* Pseudoranges from the antenna to satellites: the part that is the same for all items. */
 ROVER_INLINE flag_t range_shared(const range_input_t *in, range_shared_t *shared)
 {
-    const rover_real_t attitude_twice_y = 2.0 * in->attitude_y;
-    const rover_real_t attitude_twice_yy = attitude_twice_y * in->attitude_y;
-    const rover_real_t attitude_twice_z = 2.0 * in->attitude_z;
-    const rover_real_t attitude_twice_zz = attitude_twice_z * in->attitude_z;
-    const rover_real_t attitude_00 = 1.0 - attitude_twice_yy - attitude_twice_zz;
-    const rover_real_t attitude_twice_xy = attitude_twice_y * in->attitude_x;
-    const rover_real_t attitude_twice_wz = attitude_twice_z * in->attitude_w;
-    const rover_real_t attitude_01 = attitude_twice_xy - attitude_twice_wz;
-    const rover_real_t attitude_twice_wy = attitude_twice_y * in->attitude_w;
-    const rover_real_t attitude_twice_xz = attitude_twice_z * in->attitude_x;
-    const rover_real_t attitude_02 = attitude_twice_wy + attitude_twice_xz;
-    const rover_real_t attitude_10 = attitude_twice_wz + attitude_twice_xy;
     const rover_real_t attitude_twice_x = 2.0 * in->attitude_x;
+    const rover_real_t attitude_twice_y = 2.0 * in->attitude_y;
+    const rover_real_t attitude_twice_z = 2.0 * in->attitude_z;
     const rover_real_t attitude_twice_xx = attitude_twice_x * in->attitude_x;
-    const rover_real_t t20 = 1.0 - attitude_twice_xx;
-    const rover_real_t attitude_11 = t20 - attitude_twice_zz;
+    const rover_real_t attitude_twice_yy = attitude_twice_y * in->attitude_y;
+    const rover_real_t attitude_twice_zz = attitude_twice_z * in->attitude_z;
+    const rover_real_t attitude_twice_xy = attitude_twice_y * in->attitude_x;
+    const rover_real_t attitude_twice_xz = attitude_twice_z * in->attitude_x;
     const rover_real_t attitude_twice_yz = attitude_twice_z * in->attitude_y;
     const rover_real_t attitude_twice_wx = attitude_twice_x * in->attitude_w;
+    const rover_real_t attitude_twice_wy = attitude_twice_y * in->attitude_w;
+    const rover_real_t attitude_twice_wz = attitude_twice_z * in->attitude_w;
+    const rover_real_t attitude_00 = 1.0 - attitude_twice_yy - attitude_twice_zz;
+    const rover_real_t attitude_01 = attitude_twice_xy - attitude_twice_wz;
+    const rover_real_t attitude_02 = attitude_twice_wy + attitude_twice_xz;
+    const rover_real_t attitude_10 = attitude_twice_wz + attitude_twice_xy;
+    const rover_real_t t20 = 1.0 - attitude_twice_xx;
+    const rover_real_t attitude_11 = t20 - attitude_twice_zz;
     const rover_real_t attitude_12 = attitude_twice_yz - attitude_twice_wx;
     const rover_real_t attitude_20 = attitude_twice_xz - attitude_twice_wy;
     const rover_real_t attitude_21 = attitude_twice_wx + attitude_twice_yz;
     const rover_real_t attitude_22 = t20 - attitude_twice_yy;
-    const rover_real_t nav_to_ecef_twice_y = 2.0 * in->nav_to_ecef_y;
-    const rover_real_t nav_to_ecef_twice_yy = nav_to_ecef_twice_y * in->nav_to_ecef_y;
-    const rover_real_t nav_to_ecef_twice_z = 2.0 * in->nav_to_ecef_z;
-    const rover_real_t nav_to_ecef_twice_zz = nav_to_ecef_twice_z * in->nav_to_ecef_z;
-    const rover_real_t nav_to_ecef_00 = 1.0 - nav_to_ecef_twice_yy - nav_to_ecef_twice_zz;
-    const rover_real_t nav_to_ecef_twice_xy = nav_to_ecef_twice_y * in->nav_to_ecef_x;
-    const rover_real_t nav_to_ecef_twice_wz = nav_to_ecef_twice_z * in->nav_to_ecef_w;
-    const rover_real_t nav_to_ecef_01 = nav_to_ecef_twice_xy - nav_to_ecef_twice_wz;
-    const rover_real_t nav_to_ecef_twice_wy = nav_to_ecef_twice_y * in->nav_to_ecef_w;
-    const rover_real_t nav_to_ecef_twice_xz = nav_to_ecef_twice_z * in->nav_to_ecef_x;
-    const rover_real_t nav_to_ecef_02 = nav_to_ecef_twice_wy + nav_to_ecef_twice_xz;
-    const rover_real_t nav_to_ecef_10 = nav_to_ecef_twice_wz + nav_to_ecef_twice_xy;
     const rover_real_t nav_to_ecef_twice_x = 2.0 * in->nav_to_ecef_x;
+    const rover_real_t nav_to_ecef_twice_y = 2.0 * in->nav_to_ecef_y;
+    const rover_real_t nav_to_ecef_twice_z = 2.0 * in->nav_to_ecef_z;
     const rover_real_t nav_to_ecef_twice_xx = nav_to_ecef_twice_x * in->nav_to_ecef_x;
-    const rover_real_t t47 = 1.0 - nav_to_ecef_twice_xx;
-    const rover_real_t nav_to_ecef_11 = t47 - nav_to_ecef_twice_zz;
+    const rover_real_t nav_to_ecef_twice_yy = nav_to_ecef_twice_y * in->nav_to_ecef_y;
+    const rover_real_t nav_to_ecef_twice_zz = nav_to_ecef_twice_z * in->nav_to_ecef_z;
+    const rover_real_t nav_to_ecef_twice_xy = nav_to_ecef_twice_y * in->nav_to_ecef_x;
+    const rover_real_t nav_to_ecef_twice_xz = nav_to_ecef_twice_z * in->nav_to_ecef_x;
     const rover_real_t nav_to_ecef_twice_yz = nav_to_ecef_twice_z * in->nav_to_ecef_y;
     const rover_real_t nav_to_ecef_twice_wx = nav_to_ecef_twice_x * in->nav_to_ecef_w;
+    const rover_real_t nav_to_ecef_twice_wy = nav_to_ecef_twice_y * in->nav_to_ecef_w;
+    const rover_real_t nav_to_ecef_twice_wz = nav_to_ecef_twice_z * in->nav_to_ecef_w;
+    const rover_real_t nav_to_ecef_00 = 1.0 - nav_to_ecef_twice_yy - nav_to_ecef_twice_zz;
+    const rover_real_t nav_to_ecef_01 = nav_to_ecef_twice_xy - nav_to_ecef_twice_wz;
+    const rover_real_t nav_to_ecef_02 = nav_to_ecef_twice_wy + nav_to_ecef_twice_xz;
+    const rover_real_t nav_to_ecef_10 = nav_to_ecef_twice_wz + nav_to_ecef_twice_xy;
+    const rover_real_t t47 = 1.0 - nav_to_ecef_twice_xx;
+    const rover_real_t nav_to_ecef_11 = t47 - nav_to_ecef_twice_zz;
     const rover_real_t nav_to_ecef_12 = nav_to_ecef_twice_yz - nav_to_ecef_twice_wx;
     const rover_real_t nav_to_ecef_20 = nav_to_ecef_twice_xz - nav_to_ecef_twice_wy;
     const rover_real_t nav_to_ecef_21 = nav_to_ecef_twice_wx + nav_to_ecef_twice_yz;
     const rover_real_t nav_to_ecef_22 = t47 - nav_to_ecef_twice_yy;
     const rover_real_t attitude_arm_x = (in->antenna_x * attitude_00) +
         (in->antenna_y * attitude_01) + (in->antenna_z * attitude_02);
-    const rover_real_t antenna_nav_x = attitude_arm_x + in->position_x;
     const rover_real_t attitude_arm_y = (in->antenna_x * attitude_10) +
         (in->antenna_y * attitude_11) + (in->antenna_z * attitude_12);
-    const rover_real_t antenna_nav_y = attitude_arm_y + in->position_y;
     const rover_real_t attitude_arm_z = (in->antenna_x * attitude_20) +
         (in->antenna_y * attitude_21) + (in->antenna_z * attitude_22);
+    const rover_real_t antenna_nav_x = attitude_arm_x + in->position_x;
+    const rover_real_t antenna_nav_y = attitude_arm_y + in->position_y;
     const rover_real_t antenna_nav_z = attitude_arm_z + in->position_z;
     const rover_real_t antenna_ecef_x = (antenna_nav_x * nav_to_ecef_00) +
         (antenna_nav_y * nav_to_ecef_01) + (antenna_nav_z * nav_to_ecef_02);
-    const rover_real_t antenna_x_2 = antenna_ecef_x + in->origin_x;
     const rover_real_t antenna_ecef_y = (antenna_nav_x * nav_to_ecef_10) +
         (antenna_nav_y * nav_to_ecef_11) + (antenna_nav_z * nav_to_ecef_12);
-    const rover_real_t antenna_y_2 = antenna_ecef_y + in->origin_y;
     const rover_real_t antenna_ecef_z = (antenna_nav_x * nav_to_ecef_20) +
         (antenna_nav_y * nav_to_ecef_21) + (antenna_nav_z * nav_to_ecef_22);
+    const rover_real_t antenna_x_2 = antenna_ecef_x + in->origin_x;
+    const rover_real_t antenna_y_2 = antenna_ecef_y + in->origin_y;
     const rover_real_t antenna_z_2 = antenna_ecef_z + in->origin_z;
 
     shared->attitude_00 = attitude_00;
@@ -263,20 +263,19 @@ ROVER_INLINE flag_t range_item(
     const range_item_t *item,
     range_output_t *out)
 {
+    const rover_real_t is_gps = is_equal((rover_real_t)item->system, 0.0) ? 1.0 : 0.0;
+    const rover_real_t is_galileo = is_equal((rover_real_t)item->system, 1.0) ? 1.0 : 0.0;
     const rover_real_t clock_bias =
         (is_equal((rover_real_t)item->system, 1.0) ? in->b_galileo : 0.0) +
         (is_equal((rover_real_t)item->system, 0.0) ? in->b_gps : 0.0);
-    const rover_real_t turned_satellite_0 = 2.4323877909897254e-13 * item->satellite_position_x;
-    const rover_real_t turned_satellite_1 = 2.4323877909897254e-13 * item->satellite_position_y;
     const rover_real_t range_vector_x = shared->antenna_x_2 - item->satellite_position_x;
     const rover_real_t range_vector_y = shared->antenna_y_2 - item->satellite_position_y;
     const rover_real_t range_vector_z = shared->antenna_z_2 - item->satellite_position_z;
-    const rover_real_t is_gps = is_equal((rover_real_t)item->system, 0.0) ? 1.0 : 0.0;
-    const rover_real_t is_galileo = is_equal((rover_real_t)item->system, 1.0) ? 1.0 : 0.0;
+    const rover_real_t turned_satellite_0 = 2.4323877909897254e-13 * item->satellite_position_x;
+    const rover_real_t turned_satellite_1 = 2.4323877909897254e-13 * item->satellite_position_y;
     const rover_real_t u11 = clock_bias + item->ionosphere;
-    const rover_real_t u21 = shared->antenna_y_2 * turned_satellite_0;
-    const rover_real_t u25 = 299792458.0 * item->satellite_clock;
-    const rover_real_t u30 = shared->antenna_x_2 * turned_satellite_1;
+    const rover_real_t u30 = item->troposphere - (299792458.0 * item->satellite_clock) +
+        ((shared->antenna_y_2 * turned_satellite_0) - (shared->antenna_x_2 * turned_satellite_1));
     /* squared range */
     const rover_real_t range_squared_raw = (range_vector_x * range_vector_x) +
         (range_vector_y * range_vector_y) + (range_vector_z * range_vector_z);
@@ -284,12 +283,12 @@ ROVER_INLINE flag_t range_item(
     const rover_real_t range_squared = range_squared_ok ? range_squared_raw : 1.0;
     const rover_real_t range = sqrt(range_squared);
     const rover_real_t inverse_range = 1.0 / range;  /* shared reciprocal */
-    const rover_real_t value_out = u11 + range + item->troposphere + u21 - u25 - u30;
     const rover_real_t range_direction_x = range_vector_x * inverse_range;
-    const rover_real_t value_by_antenna_2_x = range_direction_x - turned_satellite_1;
     const rover_real_t range_direction_y = range_vector_y * inverse_range;
-    const rover_real_t value_by_antenna_2_y = range_direction_y + turned_satellite_0;
     const rover_real_t range_direction_z = range_vector_z * inverse_range;
+    const rover_real_t value_out = u11 + range + u30;
+    const rover_real_t value_by_antenna_2_x = range_direction_x - turned_satellite_1;
+    const rover_real_t value_by_antenna_2_y = range_direction_y + turned_satellite_0;
     const rover_real_t value_by_antenna_nav_x = (shared->nav_to_ecef_00 * value_by_antenna_2_x) +
         (shared->nav_to_ecef_10 * value_by_antenna_2_y) +
         (shared->nav_to_ecef_20 * range_direction_z);
@@ -299,21 +298,21 @@ ROVER_INLINE flag_t range_item(
     const rover_real_t value_by_antenna_nav_z = (shared->nav_to_ecef_02 * value_by_antenna_2_x) +
         (shared->nav_to_ecef_12 * value_by_antenna_2_y) +
         (shared->nav_to_ecef_22 * range_direction_z);
-    const rover_real_t value_by_attitude_arm_inner_z =
-        (shared->attitude_02 * value_by_antenna_nav_x) +
-        (shared->attitude_12 * value_by_antenna_nav_y) +
-        (shared->attitude_22 * value_by_antenna_nav_z);
-    const rover_real_t value_by_attitude_arm_inner_y =
-        (shared->attitude_01 * value_by_antenna_nav_x) +
-        (shared->attitude_11 * value_by_antenna_nav_y) +
-        (shared->attitude_21 * value_by_antenna_nav_z);
-    const rover_real_t value_by_attitude_tangent_x =
-        (in->antenna_y * value_by_attitude_arm_inner_z) -
-        (in->antenna_z * value_by_attitude_arm_inner_y);
     const rover_real_t value_by_attitude_arm_inner_x =
         (shared->attitude_00 * value_by_antenna_nav_x) +
         (shared->attitude_10 * value_by_antenna_nav_y) +
         (shared->attitude_20 * value_by_antenna_nav_z);
+    const rover_real_t value_by_attitude_arm_inner_y =
+        (shared->attitude_01 * value_by_antenna_nav_x) +
+        (shared->attitude_11 * value_by_antenna_nav_y) +
+        (shared->attitude_21 * value_by_antenna_nav_z);
+    const rover_real_t value_by_attitude_arm_inner_z =
+        (shared->attitude_02 * value_by_antenna_nav_x) +
+        (shared->attitude_12 * value_by_antenna_nav_y) +
+        (shared->attitude_22 * value_by_antenna_nav_z);
+    const rover_real_t value_by_attitude_tangent_x =
+        (in->antenna_y * value_by_attitude_arm_inner_z) -
+        (in->antenna_z * value_by_attitude_arm_inner_y);
     const rover_real_t value_by_attitude_tangent_y =
         (in->antenna_z * value_by_attitude_arm_inner_x) -
         (in->antenna_x * value_by_attitude_arm_inner_z);

@@ -162,23 +162,23 @@ ROVER_INLINE flag_t retract_kernel(const retract_input_t *in, retract_output_t *
 {
     const rover_real_t attitude_exp_angle_squared = (in->attitude_x_2 * in->attitude_x_2) +
         (in->attitude_y_2 * in->attitude_y_2) + (in->attitude_z_2 * in->attitude_z_2);
+    const rover_real_t attitude_exp_safe_squared = (attitude_exp_angle_squared < 0.01) ? 1.0 :
+        attitude_exp_angle_squared;
+    const rover_real_t attitude_exp_angle = sqrt(attitude_exp_safe_squared);
     const rover_real_t t39 = attitude_exp_angle_squared * ((attitude_exp_angle_squared *
         (0.0026041666666666665 + (attitude_exp_angle_squared *
         ((9.68812003968254e-08 * attitude_exp_angle_squared) - 2.170138888888889e-05)))) - 0.125);
     const rover_real_t attitude_exp_near_cosine = 1.0 + t39;
-    const rover_real_t attitude_exp_safe_squared = (attitude_exp_angle_squared < 0.01) ? 1.0 :
-        attitude_exp_angle_squared;
-    const rover_real_t attitude_exp_angle = sqrt(attitude_exp_safe_squared);
-    const rover_real_t attitude_exp_half = 0.5 * attitude_exp_angle;
-    const rover_real_t attitude_exp_far_cosine = cos(attitude_exp_half);
-    const rover_real_t attitude_exp_cosine = (attitude_exp_angle_squared < 0.01) ?
-        attitude_exp_near_cosine : attitude_exp_far_cosine;
     const rover_real_t t64 = attitude_exp_angle_squared * ((attitude_exp_angle_squared *
         (0.00026041666666666666 + (attitude_exp_angle_squared *
         ((5.382288910934745e-09 * attitude_exp_angle_squared) - 1.5500992063492063e-06)))) -
         0.020833333333333332);
     const rover_real_t attitude_exp_near_sinc = 0.5 + t64;
+    const rover_real_t attitude_exp_half = 0.5 * attitude_exp_angle;
+    const rover_real_t attitude_exp_far_cosine = cos(attitude_exp_half);
     const rover_real_t attitude_exp_far_sinc = sin(attitude_exp_half) / attitude_exp_angle;
+    const rover_real_t attitude_exp_cosine = (attitude_exp_angle_squared < 0.01) ?
+        attitude_exp_near_cosine : attitude_exp_far_cosine;
     const rover_real_t attitude_exp_sinc = (attitude_exp_angle_squared < 0.01) ?
         attitude_exp_near_sinc : attitude_exp_far_sinc;
     const rover_real_t attitude_step_x = attitude_exp_sinc * in->attitude_x_2;
@@ -193,16 +193,16 @@ ROVER_INLINE flag_t retract_kernel(const retract_input_t *in, retract_output_t *
     out->value[5] = in->velocity_z_2 + in->velocity_z;  /* velocity z */
     /* attitude w */
     out->value[6] = (attitude_exp_cosine * in->attitude_w) - (attitude_step_x * in->attitude_x) -
-        (attitude_step_y * in->attitude_y) - (attitude_step_z * in->attitude_z);
+        ((attitude_step_y * in->attitude_y) + (attitude_step_z * in->attitude_z));
     /* attitude x */
     out->value[7] = (attitude_exp_cosine * in->attitude_x) + (attitude_step_x * in->attitude_w) +
-        (attitude_step_z * in->attitude_y) - (attitude_step_y * in->attitude_z);
+        ((attitude_step_z * in->attitude_y) - (attitude_step_y * in->attitude_z));
     /* attitude y */
     out->value[8] = (attitude_exp_cosine * in->attitude_y) + (attitude_step_x * in->attitude_z) +
-        (attitude_step_y * in->attitude_w) - (attitude_step_z * in->attitude_x);
+        ((attitude_step_y * in->attitude_w) - (attitude_step_z * in->attitude_x));
     /* attitude z */
     out->value[9] = (attitude_exp_cosine * in->attitude_z) + (attitude_step_y * in->attitude_x) +
-        (attitude_step_z * in->attitude_w) - (attitude_step_x * in->attitude_y);
+        ((attitude_step_z * in->attitude_w) - (attitude_step_x * in->attitude_y));
     /* accelerometer_bias x */
     out->value[10] = in->accelerometer_bias_x + in->accelerometer_bias_x_2;
     /* accelerometer_bias y */

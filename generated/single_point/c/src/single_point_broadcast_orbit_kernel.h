@@ -149,15 +149,10 @@ SINGLE_POINT_INLINE flag_t broadcast_orbit_kernel(
     const broadcast_orbit_input_t *in,
     broadcast_orbit_output_t *out)
 {
-    const single_point_real_t node_rate = in->right_ascension_rate - 7.2921151467e-05;
     const single_point_real_t since_toe_raw = in->time_2 - in->toe;
     const single_point_real_t since_toe_weeks =
         floor(0.5 + (1.6534391534391535e-06 * since_toe_raw));
     const single_point_real_t since_toe = since_toe_raw - (604800.0 * since_toe_weeks);
-    const single_point_real_t node = in->right_ascension + (node_rate * since_toe) -
-        (7.2921151467e-05 * in->toe);
-    const single_point_real_t cos_node = cos(node);
-    const single_point_real_t axis_ratio = sqrt(1.0 - (in->eccentricity * in->eccentricity));
     const single_point_real_t semi_major_axis = in->sqrt_a * in->sqrt_a;
     const single_point_real_t computed_motion = 19964981.843217388 *
         sqrt(1.0 / (semi_major_axis * semi_major_axis * semi_major_axis));
@@ -176,9 +171,10 @@ SINGLE_POINT_INLINE flag_t broadcast_orbit_kernel(
     const single_point_real_t eccentric_anomaly = anomaly_3 -
         ((anomaly_3 - mean_anomaly_now - (in->eccentricity * sin(anomaly_3))) /
         (1.0 - (in->eccentricity * cos(anomaly_3))));
-    const single_point_real_t sin_anomaly = sin(eccentric_anomaly);
-    const single_point_real_t minor = axis_ratio * sin_anomaly;
     const single_point_real_t cos_anomaly = cos(eccentric_anomaly);
+    const single_point_real_t sin_anomaly = sin(eccentric_anomaly);
+    const single_point_real_t axis_ratio = sqrt(1.0 - (in->eccentricity * in->eccentricity));
+    const single_point_real_t minor = axis_ratio * sin_anomaly;
     const single_point_real_t major = cos_anomaly - in->eccentricity;
     const single_point_real_t true_anomaly = atan2(minor, major);
     const single_point_real_t latitude_argument = in->argument_of_perigee + true_anomaly;
@@ -187,80 +183,84 @@ SINGLE_POINT_INLINE flag_t broadcast_orbit_kernel(
     const single_point_real_t sin_doubled = sin(doubled_argument);
     const single_point_real_t corrected_argument = latitude_argument + (cos_doubled * in->cuc) +
         (in->cus * sin_doubled);
-    const single_point_real_t cos_argument = cos(corrected_argument);
     const single_point_real_t radius = (cos_doubled * in->crc) + (in->crs * sin_doubled) +
         (semi_major_axis * (1.0 - (cos_anomaly * in->eccentricity)));
-    const single_point_real_t in_plane_x = cos_argument * radius;
-    const single_point_real_t value_by_node_y = cos_node * in_plane_x;
     const single_point_real_t inclination_now = in->inclination + (in->cic * cos_doubled) +
-        (in->cis * sin_doubled) + (in->inclination_rate * since_toe);
-    const single_point_real_t cos_inclination = cos(inclination_now);
+        ((in->cis * sin_doubled) + (in->inclination_rate * since_toe));
+    const single_point_real_t node_rate = in->right_ascension_rate - 7.2921151467e-05;
+    const single_point_real_t node = in->right_ascension + (node_rate * since_toe) -
+        (7.2921151467e-05 * in->toe);
+    const single_point_real_t cos_argument = cos(corrected_argument);
+    const single_point_real_t in_plane_x = cos_argument * radius;
     const single_point_real_t sin_argument = sin(corrected_argument);
     const single_point_real_t in_plane_y = radius * sin_argument;
-    const single_point_real_t in_plane_level = cos_inclination * in_plane_y;
-    const single_point_real_t sin_node = sin(node);
-    const single_point_real_t position_x = value_by_node_y - (in_plane_level * sin_node);
-    const single_point_real_t position_y = (cos_node * in_plane_level) + (in_plane_x * sin_node);
+    const single_point_real_t cos_inclination = cos(inclination_now);
     const single_point_real_t sin_inclination = sin(inclination_now);
+    const single_point_real_t cos_node = cos(node);
+    const single_point_real_t sin_node = sin(node);
+    const single_point_real_t in_plane_level = cos_inclination * in_plane_y;
+    const single_point_real_t position_y = (cos_node * in_plane_level) + (in_plane_x * sin_node);
     const single_point_real_t position_z = in_plane_y * sin_inclination;
-    const single_point_real_t eccentric_root = in->eccentricity * in->sqrt_a;
-    const single_point_real_t t129 = (-4.442807633e-10) * eccentric_root;
-    const single_point_real_t relativity = t129 * sin_anomaly;
     const single_point_real_t since_toc_raw = in->time_2 - in->toc;
     const single_point_real_t since_toc_weeks =
         floor(0.5 + (1.6534391534391535e-06 * since_toc_raw));
     const single_point_real_t since_toc = since_toc_raw - (604800.0 * since_toc_weeks);
     const single_point_real_t t141 = in->af2 * since_toc;
     const single_point_real_t clock_drift = in->af1 + t141;
-    const single_point_real_t clock_2 = in->af0 + relativity + (clock_drift * since_toc) -
-        in->group_delay;
-    const single_point_real_t eccentric_anomaly_by_time = mean_motion /
-        (1.0 - (in->eccentricity * cos_anomaly));
-    const single_point_real_t t150 = eccentric_anomaly_by_time * sin_anomaly;
-    const single_point_real_t radius_by_time = t150 * (in->eccentricity * semi_major_axis);
+    const single_point_real_t eccentric_root = in->eccentricity * in->sqrt_a;
+    const single_point_real_t t129 = (-4.442807633e-10) * eccentric_root;
+    const single_point_real_t relativity = t129 * sin_anomaly;
+    const single_point_real_t clock_2 = in->af0 + relativity +
+        ((clock_drift * since_toc) - in->group_delay);
     /* shared reciprocal */
     const single_point_real_t inverse_t156 = 1.0 / ((major * major) + (minor * minor));
     const single_point_real_t true_anomaly_by_minor = major * inverse_t156;
     const single_point_real_t true_anomaly_by_sin_anomaly = axis_ratio * true_anomaly_by_minor;
     const single_point_real_t true_anomaly_by_eccentric_anomaly = cos_anomaly *
         true_anomaly_by_sin_anomaly;
+    const single_point_real_t eccentric_anomaly_by_time = mean_motion /
+        (1.0 - (in->eccentricity * cos_anomaly));
+    const single_point_real_t value_by_node_y = cos_node * in_plane_x;
+    const single_point_real_t position_x = value_by_node_y - (in_plane_level * sin_node);
     const single_point_real_t true_anomaly_by_time = eccentric_anomaly_by_time *
         true_anomaly_by_eccentric_anomaly;
+    const single_point_real_t t150 = eccentric_anomaly_by_time * sin_anomaly;
     const single_point_real_t true_anomaly_by_time_2 = true_anomaly_by_time +
         (t150 * (minor * inverse_t156));
+    const single_point_real_t radius_by_time = t150 * (in->eccentricity * semi_major_axis);
     const single_point_real_t sin_doubled_by_time = 2.0 * cos_doubled * true_anomaly_by_time_2;
-    const single_point_real_t radius_by_time_2 = radius_by_time + (in->crs * sin_doubled_by_time);
     const single_point_real_t cos_doubled_by_time = (-2.0) * sin_doubled * true_anomaly_by_time_2;
-    const single_point_real_t radius_by_time_3 = radius_by_time_2 + (cos_doubled_by_time * in->crc);
+    const single_point_real_t value_by_time_y = node_rate * position_x;
+    const single_point_real_t inclination_now_by_time = in->inclination_rate +
+        (in->cis * sin_doubled_by_time);
     const single_point_real_t corrected_argument_by_time = true_anomaly_by_time_2 +
         (in->cus * sin_doubled_by_time);
+    const single_point_real_t radius_by_time_2 = radius_by_time + (in->crs * sin_doubled_by_time);
+    const single_point_real_t inclination_now_by_time_2 = inclination_now_by_time +
+        (in->cic * cos_doubled_by_time);
     const single_point_real_t corrected_argument_by_time_2 = corrected_argument_by_time +
         (cos_doubled_by_time * in->cuc);
-    const single_point_real_t in_plane_x_by_time_2 = (cos_argument * radius_by_time_3) -
-        (corrected_argument_by_time_2 * in_plane_y);
-    const single_point_real_t value_by_time_x_2 = (cos_node * in_plane_x_by_time_2) -
-        (node_rate * position_y);
+    const single_point_real_t radius_by_time_3 = radius_by_time_2 + (cos_doubled_by_time * in->crc);
+    const single_point_real_t value_by_time_z = in_plane_level * inclination_now_by_time_2;
     const single_point_real_t in_plane_y_by_time = corrected_argument_by_time_2 * in_plane_x;
     const single_point_real_t in_plane_y_by_time_2 = in_plane_y_by_time +
         (radius_by_time_3 * sin_argument);
-    const single_point_real_t inclination_now_by_time = in->inclination_rate +
-        (in->cis * sin_doubled_by_time);
-    const single_point_real_t inclination_now_by_time_2 = inclination_now_by_time +
-        (in->cic * cos_doubled_by_time);
-    const single_point_real_t in_plane_level_by_time_2 = (cos_inclination * in_plane_y_by_time_2) -
-        (inclination_now_by_time_2 * position_z);
-    const single_point_real_t value_by_time_x_3 = value_by_time_x_2 -
-        (in_plane_level_by_time_2 * sin_node);
-    const single_point_real_t value_by_time_y = node_rate * position_x;
-    const single_point_real_t value_by_time_y_2 = value_by_time_y +
-        (in_plane_x_by_time_2 * sin_node);
-    const single_point_real_t value_by_time_y_3 = value_by_time_y_2 +
-        (cos_node * in_plane_level_by_time_2);
-    const single_point_real_t value_by_time_z = in_plane_level * inclination_now_by_time_2;
+    const single_point_real_t in_plane_x_by_time_2 = (cos_argument * radius_by_time_3) -
+        (corrected_argument_by_time_2 * in_plane_y);
     const single_point_real_t value_by_time_z_2 = value_by_time_z +
         (in_plane_y_by_time_2 * sin_inclination);
-    const single_point_real_t clock_by_time = clock_drift + t141;
+    const single_point_real_t in_plane_level_by_time_2 = (cos_inclination * in_plane_y_by_time_2) -
+        (inclination_now_by_time_2 * position_z);
+    const single_point_real_t value_by_time_x_2 = (cos_node * in_plane_x_by_time_2) -
+        (node_rate * position_y);
+    const single_point_real_t value_by_time_y_2 = value_by_time_y +
+        (in_plane_x_by_time_2 * sin_node);
+    const single_point_real_t value_by_time_x_3 = value_by_time_x_2 -
+        (in_plane_level_by_time_2 * sin_node);
+    const single_point_real_t value_by_time_y_3 = value_by_time_y_2 +
+        (cos_node * in_plane_level_by_time_2);
     const single_point_real_t sin_anomaly_clock_by_time = cos_anomaly * eccentric_anomaly_by_time;
+    const single_point_real_t clock_by_time = clock_drift + t141;
     const single_point_real_t relativity_by_time = t129 * sin_anomaly_clock_by_time;
     const single_point_real_t clock_by_time_2 = clock_by_time + relativity_by_time;
 

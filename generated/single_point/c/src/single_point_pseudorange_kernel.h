@@ -92,17 +92,16 @@ SINGLE_POINT_INLINE flag_t pseudorange_item(
     const pseudorange_item_t *item,
     pseudorange_output_t *out)
 {
+    const single_point_real_t range_vector_x = in->position_x - item->satellite_position_x;
+    const single_point_real_t range_vector_y = in->position_y - item->satellite_position_y;
+    const single_point_real_t range_vector_z = in->position_z - item->satellite_position_z;
     const single_point_real_t turned_satellite_0 = 2.4323877909897254e-13 *
         item->satellite_position_x;
     const single_point_real_t turned_satellite_1 = 2.4323877909897254e-13 *
         item->satellite_position_y;
-    const single_point_real_t range_vector_x = in->position_x - item->satellite_position_x;
-    const single_point_real_t range_vector_y = in->position_y - item->satellite_position_y;
-    const single_point_real_t range_vector_z = in->position_z - item->satellite_position_z;
     const single_point_real_t u2 = in->clock_bias + item->ionosphere;
-    const single_point_real_t u12 = in->position_y * turned_satellite_0;
-    const single_point_real_t u16 = 299792458.0 * item->satellite_clock;
-    const single_point_real_t u21 = in->position_x * turned_satellite_1;
+    const single_point_real_t u21 = item->troposphere - (299792458.0 * item->satellite_clock) +
+        ((in->position_y * turned_satellite_0) - (in->position_x * turned_satellite_1));
     /* squared range */
     const single_point_real_t range_squared_raw = (range_vector_x * range_vector_x) +
         (range_vector_y * range_vector_y) + (range_vector_z * range_vector_z);
@@ -110,12 +109,12 @@ SINGLE_POINT_INLINE flag_t pseudorange_item(
     const single_point_real_t range_squared = range_squared_ok ? range_squared_raw : 1.0;
     const single_point_real_t range = sqrt(range_squared);
     const single_point_real_t inverse_range = 1.0 / range;  /* shared reciprocal */
-    const single_point_real_t value_out = u2 + range + item->troposphere + u12 - u16 - u21;
     const single_point_real_t range_direction_x = range_vector_x * inverse_range;
-    const single_point_real_t value_out_by_position_x = range_direction_x - turned_satellite_1;
     const single_point_real_t range_direction_y = range_vector_y * inverse_range;
-    const single_point_real_t value_out_by_position_y = range_direction_y + turned_satellite_0;
     const single_point_real_t range_direction_z = range_vector_z * inverse_range;
+    const single_point_real_t value_out = u2 + range + u21;
+    const single_point_real_t value_out_by_position_x = range_direction_x - turned_satellite_1;
+    const single_point_real_t value_out_by_position_y = range_direction_y + turned_satellite_0;
 
     out->value[0] = value_out;
 

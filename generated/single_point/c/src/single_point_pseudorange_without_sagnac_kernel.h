@@ -99,7 +99,7 @@ SINGLE_POINT_INLINE flag_t pseudorange_without_sagnac_item(
     const single_point_real_t range_vector_y = in->position_y - item->satellite_position_y;
     const single_point_real_t range_vector_z = in->position_z - item->satellite_position_z;
     const single_point_real_t u2 = in->clock_bias + item->ionosphere;
-    const single_point_real_t u10 = 299792458.0 * item->satellite_clock;
+    const single_point_real_t u9 = item->troposphere - (299792458.0 * item->satellite_clock);
     /* squared range */
     const single_point_real_t range_squared_raw = (range_vector_x * range_vector_x) +
         (range_vector_y * range_vector_y) + (range_vector_z * range_vector_z);
@@ -107,10 +107,10 @@ SINGLE_POINT_INLINE flag_t pseudorange_without_sagnac_item(
     const single_point_real_t range_squared = range_squared_ok ? range_squared_raw : 1.0;
     const single_point_real_t range = sqrt(range_squared);
     const single_point_real_t inverse_range = 1.0 / range;  /* shared reciprocal */
-    const single_point_real_t value_out = u2 + range + item->troposphere - u10;
     const single_point_real_t range_direction_x = range_vector_x * inverse_range;
     const single_point_real_t range_direction_y = range_vector_y * inverse_range;
     const single_point_real_t range_direction_z = range_vector_z * inverse_range;
+    const single_point_real_t value_out = u2 + (range + u9);
 
     out->value[0] = value_out;
 

@@ -60,48 +60,48 @@ WARPOS_GPS_INLINE flag_t observed_by_column_kernel(
     const observed_by_column_input_t *in,
     observed_by_column_output_t *out)
 {
-    const warpos_gps_real_t observer_attitude_twice_y = 2.0 * in->observer_attitude_y;
-    const warpos_gps_real_t observer_attitude_twice_yy = observer_attitude_twice_y *
-        in->observer_attitude_y;
-    const warpos_gps_real_t observer_attitude_twice_z = 2.0 * in->observer_attitude_z;
-    const warpos_gps_real_t observer_attitude_twice_zz = observer_attitude_twice_z *
-        in->observer_attitude_z;
-    const warpos_gps_real_t observer_attitude_00 = 1.0 - observer_attitude_twice_yy -
-        observer_attitude_twice_zz;
-    const warpos_gps_real_t observer_attitude_twice_wz = observer_attitude_twice_z *
-        in->observer_attitude_w;
-    const warpos_gps_real_t observer_attitude_twice_xy = observer_attitude_twice_y *
-        in->observer_attitude_x;
-    const warpos_gps_real_t observer_attitude_10 = observer_attitude_twice_wz +
-        observer_attitude_twice_xy;
-    const warpos_gps_real_t observer_attitude_twice_xz = observer_attitude_twice_z *
-        in->observer_attitude_x;
-    const warpos_gps_real_t observer_attitude_twice_wy = observer_attitude_twice_y *
-        in->observer_attitude_w;
-    const warpos_gps_real_t observer_attitude_20 = observer_attitude_twice_xz -
-        observer_attitude_twice_wy;
-    const warpos_gps_real_t observed_x = (in->position_x * observer_attitude_00) +
-        (in->position_y * observer_attitude_10) + (in->position_z * observer_attitude_20);
-    const warpos_gps_real_t observer_attitude_01 = observer_attitude_twice_xy -
-        observer_attitude_twice_wz;
     const warpos_gps_real_t observer_attitude_twice_x = 2.0 * in->observer_attitude_x;
+    const warpos_gps_real_t observer_attitude_twice_y = 2.0 * in->observer_attitude_y;
+    const warpos_gps_real_t observer_attitude_twice_z = 2.0 * in->observer_attitude_z;
     const warpos_gps_real_t observer_attitude_twice_xx = observer_attitude_twice_x *
         in->observer_attitude_x;
-    const warpos_gps_real_t t29 = 1.0 - observer_attitude_twice_xx;
-    const warpos_gps_real_t observer_attitude_11 = t29 - observer_attitude_twice_zz;
-    const warpos_gps_real_t observer_attitude_twice_wx = observer_attitude_twice_x *
-        in->observer_attitude_w;
+    const warpos_gps_real_t observer_attitude_twice_yy = observer_attitude_twice_y *
+        in->observer_attitude_y;
+    const warpos_gps_real_t observer_attitude_twice_zz = observer_attitude_twice_z *
+        in->observer_attitude_z;
+    const warpos_gps_real_t observer_attitude_twice_xy = observer_attitude_twice_y *
+        in->observer_attitude_x;
+    const warpos_gps_real_t observer_attitude_twice_xz = observer_attitude_twice_z *
+        in->observer_attitude_x;
     const warpos_gps_real_t observer_attitude_twice_yz = observer_attitude_twice_z *
         in->observer_attitude_y;
-    const warpos_gps_real_t observer_attitude_21 = observer_attitude_twice_wx +
-        observer_attitude_twice_yz;
-    const warpos_gps_real_t observed_y = (in->position_x * observer_attitude_01) +
-        (in->position_y * observer_attitude_11) + (in->position_z * observer_attitude_21);
+    const warpos_gps_real_t observer_attitude_twice_wx = observer_attitude_twice_x *
+        in->observer_attitude_w;
+    const warpos_gps_real_t observer_attitude_twice_wy = observer_attitude_twice_y *
+        in->observer_attitude_w;
+    const warpos_gps_real_t observer_attitude_twice_wz = observer_attitude_twice_z *
+        in->observer_attitude_w;
+    const warpos_gps_real_t observer_attitude_00 = 1.0 - observer_attitude_twice_yy -
+        observer_attitude_twice_zz;
+    const warpos_gps_real_t observer_attitude_01 = observer_attitude_twice_xy -
+        observer_attitude_twice_wz;
     const warpos_gps_real_t observer_attitude_02 = observer_attitude_twice_wy +
         observer_attitude_twice_xz;
+    const warpos_gps_real_t observer_attitude_10 = observer_attitude_twice_wz +
+        observer_attitude_twice_xy;
+    const warpos_gps_real_t t29 = 1.0 - observer_attitude_twice_xx;
+    const warpos_gps_real_t observer_attitude_11 = t29 - observer_attitude_twice_zz;
     const warpos_gps_real_t observer_attitude_12 = observer_attitude_twice_yz -
         observer_attitude_twice_wx;
+    const warpos_gps_real_t observer_attitude_20 = observer_attitude_twice_xz -
+        observer_attitude_twice_wy;
+    const warpos_gps_real_t observer_attitude_21 = observer_attitude_twice_wx +
+        observer_attitude_twice_yz;
     const warpos_gps_real_t observer_attitude_22 = t29 - observer_attitude_twice_yy;
+    const warpos_gps_real_t observed_x = (in->position_x * observer_attitude_00) +
+        (in->position_y * observer_attitude_10) + (in->position_z * observer_attitude_20);
+    const warpos_gps_real_t observed_y = (in->position_x * observer_attitude_01) +
+        (in->position_y * observer_attitude_11) + (in->position_z * observer_attitude_21);
     const warpos_gps_real_t observed_z = (in->position_x * observer_attitude_02) +
         (in->position_y * observer_attitude_12) + (in->position_z * observer_attitude_22);
 

@@ -112,83 +112,83 @@ WARPOS_GPS_INLINE flag_t to_state_frame_kernel(
     const to_state_frame_input_t *in,
     to_state_frame_output_t *out)
 {
-    const warpos_gps_real_t observer_attitude_twice_y = 2.0 * in->observer_attitude_y;
-    const warpos_gps_real_t observer_attitude_twice_yy = observer_attitude_twice_y *
-        in->observer_attitude_y;
-    const warpos_gps_real_t observer_attitude_twice_z = 2.0 * in->observer_attitude_z;
-    const warpos_gps_real_t observer_attitude_twice_zz = observer_attitude_twice_z *
-        in->observer_attitude_z;
-    const warpos_gps_real_t observer_attitude_00 = 1.0 - observer_attitude_twice_yy -
-        observer_attitude_twice_zz;
-    const warpos_gps_real_t observer_attitude_twice_xy = observer_attitude_twice_y *
-        in->observer_attitude_x;
-    const warpos_gps_real_t observer_attitude_twice_wz = observer_attitude_twice_z *
-        in->observer_attitude_w;
-    const warpos_gps_real_t observer_attitude_01 = observer_attitude_twice_xy -
-        observer_attitude_twice_wz;
-    const warpos_gps_real_t observer_attitude_twice_wy = observer_attitude_twice_y *
-        in->observer_attitude_w;
-    const warpos_gps_real_t observer_attitude_twice_xz = observer_attitude_twice_z *
-        in->observer_attitude_x;
-    const warpos_gps_real_t observer_attitude_02 = observer_attitude_twice_wy +
-        observer_attitude_twice_xz;
-    const warpos_gps_real_t fix_x = (observer_attitude_00 * in->receiver_position_x) +
-        (observer_attitude_01 * in->receiver_position_y) +
-        (observer_attitude_02 * in->receiver_position_z);
-    const warpos_gps_real_t attitude_twice_y = 2.0 * in->attitude_y;
-    const warpos_gps_real_t attitude_twice_yy = attitude_twice_y * in->attitude_y;
-    const warpos_gps_real_t attitude_twice_z = 2.0 * in->attitude_z;
-    const warpos_gps_real_t attitude_twice_zz = attitude_twice_z * in->attitude_z;
-    const warpos_gps_real_t attitude_00 = 1.0 - attitude_twice_yy - attitude_twice_zz;
-    const warpos_gps_real_t attitude_twice_xy = attitude_twice_y * in->attitude_x;
-    const warpos_gps_real_t attitude_twice_wz = attitude_twice_z * in->attitude_w;
-    const warpos_gps_real_t attitude_01 = attitude_twice_xy - attitude_twice_wz;
-    const warpos_gps_real_t attitude_twice_wy = attitude_twice_y * in->attitude_w;
-    const warpos_gps_real_t attitude_twice_xz = attitude_twice_z * in->attitude_x;
-    const warpos_gps_real_t attitude_02 = attitude_twice_wy + attitude_twice_xz;
-    const warpos_gps_real_t attitude_arm_x = (attitude_00 * in->lever_arm_x) +
-        (attitude_01 * in->lever_arm_y) + (attitude_02 * in->lever_arm_z);
-    const warpos_gps_real_t value_out_x = fix_x - attitude_arm_x - in->origin_offset_x;
-    const warpos_gps_real_t observer_attitude_10 = observer_attitude_twice_wz +
-        observer_attitude_twice_xy;
     const warpos_gps_real_t observer_attitude_twice_x = 2.0 * in->observer_attitude_x;
+    const warpos_gps_real_t observer_attitude_twice_y = 2.0 * in->observer_attitude_y;
+    const warpos_gps_real_t observer_attitude_twice_z = 2.0 * in->observer_attitude_z;
     const warpos_gps_real_t observer_attitude_twice_xx = observer_attitude_twice_x *
         in->observer_attitude_x;
-    const warpos_gps_real_t t56 = 1.0 - observer_attitude_twice_xx;
-    const warpos_gps_real_t observer_attitude_11 = t56 - observer_attitude_twice_zz;
+    const warpos_gps_real_t observer_attitude_twice_yy = observer_attitude_twice_y *
+        in->observer_attitude_y;
+    const warpos_gps_real_t observer_attitude_twice_zz = observer_attitude_twice_z *
+        in->observer_attitude_z;
+    const warpos_gps_real_t observer_attitude_twice_xy = observer_attitude_twice_y *
+        in->observer_attitude_x;
+    const warpos_gps_real_t observer_attitude_twice_xz = observer_attitude_twice_z *
+        in->observer_attitude_x;
     const warpos_gps_real_t observer_attitude_twice_yz = observer_attitude_twice_z *
         in->observer_attitude_y;
     const warpos_gps_real_t observer_attitude_twice_wx = observer_attitude_twice_x *
         in->observer_attitude_w;
+    const warpos_gps_real_t observer_attitude_twice_wy = observer_attitude_twice_y *
+        in->observer_attitude_w;
+    const warpos_gps_real_t observer_attitude_twice_wz = observer_attitude_twice_z *
+        in->observer_attitude_w;
+    const warpos_gps_real_t observer_attitude_00 = 1.0 - observer_attitude_twice_yy -
+        observer_attitude_twice_zz;
+    const warpos_gps_real_t observer_attitude_01 = observer_attitude_twice_xy -
+        observer_attitude_twice_wz;
+    const warpos_gps_real_t observer_attitude_02 = observer_attitude_twice_wy +
+        observer_attitude_twice_xz;
+    const warpos_gps_real_t observer_attitude_10 = observer_attitude_twice_wz +
+        observer_attitude_twice_xy;
+    const warpos_gps_real_t t56 = 1.0 - observer_attitude_twice_xx;
+    const warpos_gps_real_t observer_attitude_11 = t56 - observer_attitude_twice_zz;
     const warpos_gps_real_t observer_attitude_12 = observer_attitude_twice_yz -
         observer_attitude_twice_wx;
-    const warpos_gps_real_t fix_y = (observer_attitude_10 * in->receiver_position_x) +
-        (observer_attitude_11 * in->receiver_position_y) +
-        (observer_attitude_12 * in->receiver_position_z);
-    const warpos_gps_real_t attitude_10 = attitude_twice_wz + attitude_twice_xy;
-    const warpos_gps_real_t attitude_twice_x = 2.0 * in->attitude_x;
-    const warpos_gps_real_t attitude_twice_xx = attitude_twice_x * in->attitude_x;
-    const warpos_gps_real_t t69 = 1.0 - attitude_twice_xx;
-    const warpos_gps_real_t attitude_11 = t69 - attitude_twice_zz;
-    const warpos_gps_real_t attitude_twice_yz = attitude_twice_z * in->attitude_y;
-    const warpos_gps_real_t attitude_twice_wx = attitude_twice_x * in->attitude_w;
-    const warpos_gps_real_t attitude_12 = attitude_twice_yz - attitude_twice_wx;
-    const warpos_gps_real_t attitude_arm_y = (attitude_10 * in->lever_arm_x) +
-        (attitude_11 * in->lever_arm_y) + (attitude_12 * in->lever_arm_z);
-    const warpos_gps_real_t value_out_y = fix_y - attitude_arm_y - in->origin_offset_y;
     const warpos_gps_real_t observer_attitude_20 = observer_attitude_twice_xz -
         observer_attitude_twice_wy;
     const warpos_gps_real_t observer_attitude_21 = observer_attitude_twice_wx +
         observer_attitude_twice_yz;
     const warpos_gps_real_t observer_attitude_22 = t56 - observer_attitude_twice_yy;
-    const warpos_gps_real_t fix_z = (observer_attitude_20 * in->receiver_position_x) +
-        (observer_attitude_21 * in->receiver_position_y) +
-        (observer_attitude_22 * in->receiver_position_z);
+    const warpos_gps_real_t attitude_twice_x = 2.0 * in->attitude_x;
+    const warpos_gps_real_t attitude_twice_y = 2.0 * in->attitude_y;
+    const warpos_gps_real_t attitude_twice_z = 2.0 * in->attitude_z;
+    const warpos_gps_real_t attitude_twice_xx = attitude_twice_x * in->attitude_x;
+    const warpos_gps_real_t attitude_twice_yy = attitude_twice_y * in->attitude_y;
+    const warpos_gps_real_t attitude_twice_zz = attitude_twice_z * in->attitude_z;
+    const warpos_gps_real_t attitude_twice_xy = attitude_twice_y * in->attitude_x;
+    const warpos_gps_real_t attitude_twice_xz = attitude_twice_z * in->attitude_x;
+    const warpos_gps_real_t attitude_twice_yz = attitude_twice_z * in->attitude_y;
+    const warpos_gps_real_t attitude_twice_wx = attitude_twice_x * in->attitude_w;
+    const warpos_gps_real_t attitude_twice_wy = attitude_twice_y * in->attitude_w;
+    const warpos_gps_real_t attitude_twice_wz = attitude_twice_z * in->attitude_w;
+    const warpos_gps_real_t attitude_00 = 1.0 - attitude_twice_yy - attitude_twice_zz;
+    const warpos_gps_real_t attitude_01 = attitude_twice_xy - attitude_twice_wz;
+    const warpos_gps_real_t attitude_02 = attitude_twice_wy + attitude_twice_xz;
+    const warpos_gps_real_t attitude_10 = attitude_twice_wz + attitude_twice_xy;
+    const warpos_gps_real_t t69 = 1.0 - attitude_twice_xx;
+    const warpos_gps_real_t attitude_11 = t69 - attitude_twice_zz;
+    const warpos_gps_real_t attitude_12 = attitude_twice_yz - attitude_twice_wx;
     const warpos_gps_real_t attitude_20 = attitude_twice_xz - attitude_twice_wy;
     const warpos_gps_real_t attitude_21 = attitude_twice_wx + attitude_twice_yz;
     const warpos_gps_real_t attitude_22 = t69 - attitude_twice_yy;
+    const warpos_gps_real_t fix_x = (observer_attitude_00 * in->receiver_position_x) +
+        (observer_attitude_01 * in->receiver_position_y) +
+        (observer_attitude_02 * in->receiver_position_z);
+    const warpos_gps_real_t fix_y = (observer_attitude_10 * in->receiver_position_x) +
+        (observer_attitude_11 * in->receiver_position_y) +
+        (observer_attitude_12 * in->receiver_position_z);
+    const warpos_gps_real_t fix_z = (observer_attitude_20 * in->receiver_position_x) +
+        (observer_attitude_21 * in->receiver_position_y) +
+        (observer_attitude_22 * in->receiver_position_z);
+    const warpos_gps_real_t attitude_arm_x = (attitude_00 * in->lever_arm_x) +
+        (attitude_01 * in->lever_arm_y) + (attitude_02 * in->lever_arm_z);
+    const warpos_gps_real_t attitude_arm_y = (attitude_10 * in->lever_arm_x) +
+        (attitude_11 * in->lever_arm_y) + (attitude_12 * in->lever_arm_z);
     const warpos_gps_real_t attitude_arm_z = (attitude_20 * in->lever_arm_x) +
         (attitude_21 * in->lever_arm_y) + (attitude_22 * in->lever_arm_z);
+    const warpos_gps_real_t value_out_x = fix_x - attitude_arm_x - in->origin_offset_x;
+    const warpos_gps_real_t value_out_y = fix_y - attitude_arm_y - in->origin_offset_y;
     const warpos_gps_real_t value_out_z = fix_z - attitude_arm_z - in->origin_offset_z;
     const warpos_gps_real_t value_covariance_half_0 = (in->covariance_2_0 * observer_attitude_00) +
         (in->covariance_2_3 * observer_attitude_01) + (in->covariance_2_6 * observer_attitude_02);
@@ -196,6 +196,18 @@ WARPOS_GPS_INLINE flag_t to_state_frame_kernel(
         (in->covariance_2_4 * observer_attitude_01) + (in->covariance_2_7 * observer_attitude_02);
     const warpos_gps_real_t value_covariance_half_2 = (in->covariance_2_2 * observer_attitude_00) +
         (in->covariance_2_5 * observer_attitude_01) + (in->covariance_2_8 * observer_attitude_02);
+    const warpos_gps_real_t value_covariance_half_3 = (in->covariance_2_0 * observer_attitude_10) +
+        (in->covariance_2_3 * observer_attitude_11) + (in->covariance_2_6 * observer_attitude_12);
+    const warpos_gps_real_t value_covariance_half_4 = (in->covariance_2_1 * observer_attitude_10) +
+        (in->covariance_2_4 * observer_attitude_11) + (in->covariance_2_7 * observer_attitude_12);
+    const warpos_gps_real_t value_covariance_half_5 = (in->covariance_2_2 * observer_attitude_10) +
+        (in->covariance_2_5 * observer_attitude_11) + (in->covariance_2_8 * observer_attitude_12);
+    const warpos_gps_real_t value_covariance_half_6 = (in->covariance_2_0 * observer_attitude_20) +
+        (in->covariance_2_3 * observer_attitude_21) + (in->covariance_2_6 * observer_attitude_22);
+    const warpos_gps_real_t value_covariance_half_7 = (in->covariance_2_1 * observer_attitude_20) +
+        (in->covariance_2_4 * observer_attitude_21) + (in->covariance_2_7 * observer_attitude_22);
+    const warpos_gps_real_t value_covariance_half_8 = (in->covariance_2_2 * observer_attitude_20) +
+        (in->covariance_2_5 * observer_attitude_21) + (in->covariance_2_8 * observer_attitude_22);
     const warpos_gps_real_t value_covariance_out_0 =
         (observer_attitude_00 * value_covariance_half_0) +
         (observer_attitude_01 * value_covariance_half_1) +
@@ -208,12 +220,6 @@ WARPOS_GPS_INLINE flag_t to_state_frame_kernel(
         (observer_attitude_20 * value_covariance_half_0) +
         (observer_attitude_21 * value_covariance_half_1) +
         (observer_attitude_22 * value_covariance_half_2);
-    const warpos_gps_real_t value_covariance_half_3 = (in->covariance_2_0 * observer_attitude_10) +
-        (in->covariance_2_3 * observer_attitude_11) + (in->covariance_2_6 * observer_attitude_12);
-    const warpos_gps_real_t value_covariance_half_4 = (in->covariance_2_1 * observer_attitude_10) +
-        (in->covariance_2_4 * observer_attitude_11) + (in->covariance_2_7 * observer_attitude_12);
-    const warpos_gps_real_t value_covariance_half_5 = (in->covariance_2_2 * observer_attitude_10) +
-        (in->covariance_2_5 * observer_attitude_11) + (in->covariance_2_8 * observer_attitude_12);
     const warpos_gps_real_t value_covariance_out_3 =
         (observer_attitude_00 * value_covariance_half_3) +
         (observer_attitude_01 * value_covariance_half_4) +
@@ -226,12 +232,6 @@ WARPOS_GPS_INLINE flag_t to_state_frame_kernel(
         (observer_attitude_20 * value_covariance_half_3) +
         (observer_attitude_21 * value_covariance_half_4) +
         (observer_attitude_22 * value_covariance_half_5);
-    const warpos_gps_real_t value_covariance_half_6 = (in->covariance_2_0 * observer_attitude_20) +
-        (in->covariance_2_3 * observer_attitude_21) + (in->covariance_2_6 * observer_attitude_22);
-    const warpos_gps_real_t value_covariance_half_7 = (in->covariance_2_1 * observer_attitude_20) +
-        (in->covariance_2_4 * observer_attitude_21) + (in->covariance_2_7 * observer_attitude_22);
-    const warpos_gps_real_t value_covariance_half_8 = (in->covariance_2_2 * observer_attitude_20) +
-        (in->covariance_2_5 * observer_attitude_21) + (in->covariance_2_8 * observer_attitude_22);
     const warpos_gps_real_t value_covariance_out_6 =
         (observer_attitude_00 * value_covariance_half_6) +
         (observer_attitude_01 * value_covariance_half_7) +

@@ -22,7 +22,7 @@ extern "C" {
  *     value = x (+) d
  *
  * Source: the error conventions of the blocks
- * Operations: 30 additions, 10 subtractions, 31 multiplications, 1 divisions, 1 sqrt, 1 sin, 1 cos,
+ * Operations: 31 additions, 9 subtractions, 31 multiplications, 1 divisions, 1 sqrt, 1 sin, 1 cos,
  * 3 select, 3 lt.
  * Outputs are written only when the status is OK. Inputs and outputs must not overlap. Reentrant.
  *
@@ -441,7 +441,7 @@ static const int32_t ekf_cal_gps_local_fix_jacobian_fix_columns[9] = {
  * - Latitude and longitude in radians on WGS-84; the Jacobian by the fix, when asked for, is by
  *   latitude, longitude and height: the map of their noise.
  * - Local-level axes are enu at the reference.
- * Operations: 60 additions, 21 subtractions, 178 multiplications, 4 divisions, 2 sqrt, 6 sin, 6
+ * Operations: 64 additions, 17 subtractions, 175 multiplications, 4 divisions, 2 sqrt, 6 sin, 6
  * cos.
  * Outputs are written only when the status is OK. Inputs and outputs must not overlap. Reentrant.
  *

@@ -22,7 +22,7 @@ extern "C" {
  *     value = x (+) d
  *
  * Source: the error conventions of the blocks
- * Operations: 35 additions, 11 subtractions, 33 multiplications, 1 divisions, 1 sqrt, 1 sin, 1 cos,
+ * Operations: 36 additions, 10 subtractions, 33 multiplications, 1 divisions, 1 sqrt, 1 sin, 1 cos,
  * 1 floor, 3 select, 3 lt.
  * Outputs are written only when the status is OK. Inputs and outputs must not overlap. Reentrant.
  *

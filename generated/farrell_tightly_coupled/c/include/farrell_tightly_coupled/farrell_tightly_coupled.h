@@ -22,7 +22,7 @@ extern "C" {
  *     value = x (+) d
  *
  * Source: the error conventions of the blocks
- * Operations: 26 additions, 10 subtractions, 31 multiplications, 1 divisions, 1 sqrt, 1 sin, 1 cos,
+ * Operations: 27 additions, 9 subtractions, 31 multiplications, 1 divisions, 1 sqrt, 1 sin, 1 cos,
  * 3 select, 3 lt.
  * Outputs are written only when the status is OK. Inputs and outputs must not overlap. Reentrant.
  *

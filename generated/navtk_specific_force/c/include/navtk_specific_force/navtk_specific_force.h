@@ -201,7 +201,7 @@ static const int32_t navtk_specific_force_calc_force_jacobian_dt_columns[3] = {
  * - Angles are with respect to inertial space; the rotation of the navigation frame over one
  *   interval is neglected.
  * - Output: specific force.
- * Operations: 24 additions, 21 subtractions, 94 multiplications, 2 divisions, 6 neg.
+ * Operations: 24 additions, 21 subtractions, 124 multiplications, 2 divisions, 6 neg.
  * Outputs are written only when the status is OK. Inputs and outputs must not overlap. Reentrant.
  *
  * @param[in]   dcm                      [9] s -> n: C, attitude of the body at the epoch;
@@ -453,7 +453,7 @@ static const int32_t navtk_specific_force_force_jacobian_dt_columns[3] = {
  * - Angles are with respect to inertial space; the rotation of the navigation frame over one
  *   interval is neglected.
  * - Output: specific force.
- * Operations: 45 additions, 35 subtractions, 152 multiplications, 2 divisions, 15 neg.
+ * Operations: 45 additions, 35 subtractions, 178 multiplications, 2 divisions, 24 neg.
  * Outputs are written only when the status is OK. Inputs and outputs must not overlap. Reentrant.
  *
  * @param[in]   x                        State vector; its blocks, units and ranges stand in the

@@ -22,7 +22,7 @@ extern "C" {
  *     value = x (+) d
  *
  * Source: the error conventions of the blocks
- * Operations: 30 additions, 10 subtractions, 31 multiplications, 1 divisions, 1 sqrt, 1 sin, 1 cos,
+ * Operations: 31 additions, 9 subtractions, 31 multiplications, 1 divisions, 1 sqrt, 1 sin, 1 cos,
  * 3 select, 3 lt.
  * Outputs are written only when the status is OK. Inputs and outputs must not overlap. Reentrant.
  *
@@ -562,7 +562,7 @@ static const int32_t rover_imu_jacobian_columns[27] = {
  * - Angles are with respect to inertial space; the rotation of the navigation frame over one
  *   interval is neglected.
  * - Output: specific force.
- * Operations: 44 additions, 63 subtractions, 145 multiplications, 1 divisions, 3 neg.
+ * Operations: 30 additions, 71 subtractions, 127 multiplications, 1 divisions.
  * Outputs are written only when the status is OK. Inputs and outputs must not overlap. Reentrant.
  *
  * @param[in]   x               State vector; its blocks, units and ranges stand in the header of
