@@ -190,9 +190,8 @@ class Inputs:
         if domain.kind is ir.Kind.UNREAD:
             return
         lines: list[str] = []
-        for element in self.elements:
-            if element.argument is argument and element.domain is domain:
-                lines += self._loading_element(element)
+        for index in range(domain.start, domain.start + domain.size):
+            lines += self._loading_element(self.table[ir.Load(argument.name, index)])
         if lines:
             yield ""
             yield _comment(domain)
