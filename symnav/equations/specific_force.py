@@ -15,6 +15,7 @@ import sympy as sp
 from symnav.equations.bound import Bound, Results, parts
 from symnav.equations.model import Model, OptionValue, Role, choice, rotation, scalar, vector
 from symnav.frames import series
+from symnav.graph import Guard
 from symnav.quantities import (
     Quantity,
     cross,
@@ -199,8 +200,9 @@ def _rotation(q: Bound, theta: Quantity, velocity: Quantity) -> tuple[Quantity, 
     sign = {"start": 1.0, "mid": 0.0, "end": -1.0}[str(epoch)]
     if kind == "half":
         return (cross(let("half_theta", 0.5 * sign * theta), velocity),)
-    bound = _largest_turn(q)
-    t = let("theta_squared", dot(theta, theta))
+    bound, reachable = _largest_turn(q)
+    guard = Guard(0.0, bound, 0.0, "squared rotation over the interval, bias taken out")
+    t = let("theta_squared", dot(theta, theta), guard if reachable > bound else None)
     turned = let("theta_cross_velocity", cross(theta, velocity))
     twice = let("theta_cross_twice", cross(theta, turned))
     if epoch == "mid":
@@ -211,12 +213,21 @@ def _rotation(q: Bound, theta: Quantity, velocity: Quantity) -> tuple[Quantity, 
     return (sign * (c2 * turned), c3 * twice)
 
 
-def _largest_turn(q: Bound) -> float:
-    """Largest squared rotation over the interval, from the declared ranges; biases are small."""
-    if q.options["input"] != "rates":
-        return q.largest_square("delta_theta", int(q.options["samples"]))
-    rate = max(q.largest_square("angular_rate_start"), q.largest_square("angular_rate_end"))
-    return rate * q.domains["dt"][0][1] ** 2
+def _largest_turn(q: Bound) -> tuple[float, float]:
+    """Squared rotation the series are made for, and the largest the declared ranges allow.
+
+    The bias is taken out of the increments and may add to them. One that more than doubles the
+    declared rotation, or takes it beyond pi, is left to a guard instead of to longer series.
+    """
+    longest = q.domains["dt"][0][1] if q.has("dt") else 0.0
+    if q.options["input"] == "rates":
+        rate = max(q.largest_square("angular_rate_start"), q.largest_square("angular_rate_end"))
+        declared = rate**0.5 * longest
+    else:
+        declared = q.largest_square("delta_theta", int(q.options["samples"])) ** 0.5
+    bias = q.largest_square("gyro_bias") ** 0.5 * longest if q.has("gyro_bias") else 0.0
+    limit = min(declared + bias, max(declared, min(2.0 * declared, series.LARGEST_ANGLE)))
+    return limit**2, (declared + bias) ** 2
 
 
 def _fraction(value: Fraction) -> sp.Rational:
