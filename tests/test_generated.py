@@ -170,5 +170,5 @@ def test_headers_name_every_refusal(model: str) -> None:
         inputs = "".join(part for part in inputs.split("@param") if part.startswith("[in]"))
         if re.search(r"\branges?\b", inputs):
             assert "RANGE (" in returned, text
-        if "q.q = 1" in inputs or "orthonormal" in inputs:
+        if "q.q = 1" in inputs or "rotation matrix" in inputs:
             assert "QNORM (" in returned, text

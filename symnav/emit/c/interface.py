@@ -208,7 +208,7 @@ def range_text(domain: ir.Domain) -> str:
     if domain.kind is ir.Kind.UNREAD:
         return "not read"
     if domain.kind is ir.Kind.MATRIX:
-        return f"orthonormal, by row, columns within {domain.tolerance:g}"
+        return f"rotation matrix, by row, orthonormal within {domain.tolerance:g}"
     return "range " + ", ".join(f"{lower:g} to {upper:g}" for lower, upper in pairs)
 
 

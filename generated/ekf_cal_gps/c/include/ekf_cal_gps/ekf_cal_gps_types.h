@@ -37,7 +37,7 @@ typedef enum {
     EKF_CAL_GPS_RANGE = 2,  /* an input is not finite or outside its declared range */
     /* the equation has no value here: a guarded intermediate is singular */
     EKF_CAL_GPS_DOMAIN = 3,
-    EKF_CAL_GPS_QNORM = 4,  /* a quaternion is not of unit norm or a matrix not orthonormal */
+    EKF_CAL_GPS_QNORM = 4,  /* a quaternion is not of unit norm or a matrix no rotation */
     EKF_CAL_GPS_COUNT = 5,  /* a number of items or epochs is negative or above the maximum */
     EKF_CAL_GPS_INDEX = 6,  /* an index does not name an item */
     EKF_CAL_GPS_PARTIAL = 7,  /* some items or epochs failed; their own status says why */

@@ -37,8 +37,7 @@ typedef enum {
     NAVTK_SPECIFIC_FORCE_RANGE = 2,  /* an input is not finite or outside its declared range */
     /* the equation has no value here: a guarded intermediate is singular */
     NAVTK_SPECIFIC_FORCE_DOMAIN = 3,
-    /* a quaternion is not of unit norm or a matrix not orthonormal */
-    NAVTK_SPECIFIC_FORCE_QNORM = 4,
+    NAVTK_SPECIFIC_FORCE_QNORM = 4,  /* a quaternion is not of unit norm or a matrix no rotation */
     /* a number of items or epochs is negative or above the maximum */
     NAVTK_SPECIFIC_FORCE_COUNT = 5,
     NAVTK_SPECIFIC_FORCE_INDEX = 6,  /* an index does not name an item */

@@ -35,8 +35,8 @@ extern "C" {
  *                     b_galileo; range -1e+09 to 1e+09. m/s: Error of drift; range -1e+09 to 1e+09.
  * @param[out]  value  [22] Value of the equation.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 rover_status_t rover_retract(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
@@ -92,8 +92,8 @@ rover_status_t rover_retract_batch(
  *                     1e+09.
  * @param[out]  value  [21] Value of the equation.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 rover_status_t rover_local(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
@@ -164,8 +164,8 @@ static const int32_t rover_gps_jacobian_columns[21] = {
  * @param[out]  value     [3] m in n: Value of the equation.
  * @param[out]  jacobian  [3 x 21] Derivative of the value by the error of the state, by row.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 rover_status_t rover_gps(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
@@ -180,8 +180,8 @@ rover_status_t rover_gps(
  * @param[in]   x      State vector; its blocks, units and ranges stand in the header of the types.
  * @param[out]  value  [3] m in n: Value of the equation.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 rover_status_t rover_gps_value(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
@@ -196,8 +196,8 @@ rover_status_t rover_gps_value(
  *                        types.
  * @param[out]  jacobian  [3 x 21] Derivative of the value by the error of the state, by row.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 rover_status_t rover_gps_jacobian(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
@@ -213,8 +213,8 @@ rover_status_t rover_gps_jacobian(
  * @param[out]  value        [3] m in n: Value of the equation.
  * @param[out]  jacobian_nz  The 21 structural non-zeros of jacobian, in the order of the tables.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 rover_status_t rover_gps_nz(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
@@ -298,9 +298,9 @@ static const int32_t rover_range_jacobian_columns[11] = {
  * @param[out]  item_status         [n] Status of every item, one byte each.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
  *         outside its declared range), DOMAIN (the equation has no value here: a guarded
- *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal), COUNT (a number of items or epochs is negative or above the maximum),
- *         PARTIAL (some items or epochs failed; their own status says why).
+ *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation), COUNT (a number of items or epochs is negative or above the maximum), PARTIAL
+ *         (some items or epochs failed; their own status says why).
  */
 rover_status_t rover_range(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
@@ -343,9 +343,9 @@ rover_status_t rover_range(
  * @param[out]  item_status         [n] Status of every item, one byte each.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
  *         outside its declared range), DOMAIN (the equation has no value here: a guarded
- *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal), COUNT (a number of items or epochs is negative or above the maximum),
- *         PARTIAL (some items or epochs failed; their own status says why).
+ *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation), COUNT (a number of items or epochs is negative or above the maximum), PARTIAL
+ *         (some items or epochs failed; their own status says why).
  */
 rover_status_t rover_range_value(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
@@ -387,9 +387,9 @@ rover_status_t rover_range_value(
  * @param[out]  item_status         [n] Status of every item, one byte each.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
  *         outside its declared range), DOMAIN (the equation has no value here: a guarded
- *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal), COUNT (a number of items or epochs is negative or above the maximum),
- *         PARTIAL (some items or epochs failed; their own status says why).
+ *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation), COUNT (a number of items or epochs is negative or above the maximum), PARTIAL
+ *         (some items or epochs failed; their own status says why).
  */
 rover_status_t rover_range_jacobian(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
@@ -434,9 +434,9 @@ rover_status_t rover_range_jacobian(
  * @param[out]  item_status         [n] Status of every item, one byte each.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
  *         outside its declared range), DOMAIN (the equation has no value here: a guarded
- *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal), COUNT (a number of items or epochs is negative or above the maximum),
- *         PARTIAL (some items or epochs failed; their own status says why).
+ *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation), COUNT (a number of items or epochs is negative or above the maximum), PARTIAL
+ *         (some items or epochs failed; their own status says why).
  */
 rover_status_t rover_range_nz(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
@@ -575,8 +575,8 @@ static const int32_t rover_imu_jacobian_columns[27] = {
  * @param[out]  value           [3] m/s^2 in n: Value of the equation.
  * @param[out]  jacobian        [3 x 21] Derivative of the value by the error of the state, by row.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 rover_status_t rover_imu(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
@@ -600,8 +600,8 @@ rover_status_t rover_imu(
  * @param[in]   dt              [1] s: Length of the interval; range 1e-05 to 0.05.
  * @param[out]  value           [3] m/s^2 in n: Value of the equation.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 rover_status_t rover_imu_value(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
@@ -624,8 +624,8 @@ rover_status_t rover_imu_value(
  * @param[in]   dt              [1] s: Length of the interval; range 1e-05 to 0.05.
  * @param[out]  jacobian        [3 x 21] Derivative of the value by the error of the state, by row.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 rover_status_t rover_imu_jacobian(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
@@ -650,8 +650,8 @@ rover_status_t rover_imu_jacobian(
  * @param[out]  value           [3] m/s^2 in n: Value of the equation.
  * @param[out]  jacobian_nz     The 27 structural non-zeros of jacobian, in the order of the tables.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 rover_status_t rover_imu_nz(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],

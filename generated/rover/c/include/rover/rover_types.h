@@ -36,7 +36,7 @@ typedef enum {
     ROVER_NULL = 1,  /* a pointer is null */
     ROVER_RANGE = 2,  /* an input is not finite or outside its declared range */
     ROVER_DOMAIN = 3,  /* the equation has no value here: a guarded intermediate is singular */
-    ROVER_QNORM = 4,  /* a quaternion is not of unit norm or a matrix not orthonormal */
+    ROVER_QNORM = 4,  /* a quaternion is not of unit norm or a matrix no rotation */
     ROVER_COUNT = 5,  /* a number of items or epochs is negative or above the maximum */
     ROVER_INDEX = 6,  /* an index does not name an item */
     ROVER_PARTIAL = 7,  /* some items or epochs failed; their own status says why */
