@@ -44,9 +44,9 @@ class Figures:
     """
 
     ns: float
-    ops: int | None
-    bytes: int
-    stack: int
+    ops: int | None = None
+    bytes: int | None = None
+    stack: int | None = None
 
 
 def measure(

@@ -1,6 +1,6 @@
 """Runs the comparison: every contestant over the same models, interleaved in one process each.
 
-usage: python benchmarks/run.py [--flags o2|v3|native] [--json FILE] [--only MODEL,...]
+usage: python benchmarks/run.py [--flags o2|v3|native] [--json FILE] [--only MODEL,...] [--no-python]
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
+from benchmarks import python_calls
 from benchmarks.contestants import (
     casadi_code,
     hand_code,
@@ -23,7 +24,7 @@ from benchmarks.contestants import (
     sympy_code,
 )
 from benchmarks.contestants.contestant import Contestant
-from benchmarks.measuring import FLAG_SETS, Figures, measure
+from benchmarks.measuring import FLAG_SETS, Figures, measure, records
 from benchmarks.problems import PROBLEMS, Problem
 
 WRITERS = (symnav_code, casadi_code, symforce_code, sympy_code, hand_code)
@@ -36,6 +37,7 @@ def main() -> None:
     parser.add_argument("--json", type=Path, metavar="FILE", help="write the figures here")
     parser.add_argument("--only", default="", help="models, separated by commas")
     parser.add_argument("--repetitions", type=int, default=15)
+    parser.add_argument("--no-python", action="store_true", help="leave out calls from Python")
     options = parser.parse_args()
     chosen = [p for p in PROBLEMS if not options.only or p.name in options.only.split(",")]
     results: dict[str, dict[str, Figures]] = {}
@@ -46,6 +48,11 @@ def main() -> None:
             results[problem.name] = measure(
                 problem, field, options.flags, place, options.repetitions
             )
+            if not options.no_python:
+                calls = python_calls.measure(
+                    problem, place / "python", records(problem), native=options.flags == "native"
+                )
+                results[problem.name] |= {name: Figures(ns) for name, ns in calls.items()}
             print_table(problem.name, results[problem.name])
     if options.json:
         figures = {
@@ -65,8 +72,10 @@ def print_table(model: str, found: Mapping[str, Figures]) -> None:
     """The figures of one model, fastest first."""
     print(f"\n{model}")
     for name, one in sorted(found.items(), key=lambda pair: pair[1].ns):
-        ops = "" if one.ops is None else one.ops
-        print(f"  {name:22} {one.ns:9.2f} ns {ops:>6} ops {one.bytes:>7} B {one.stack:>6} B stack")
+        cells = [f"{one.ns:11.2f} ns"]
+        for number, unit in ((one.ops, "ops"), (one.bytes, "B"), (one.stack, "B stack")):
+            cells.append("" if number is None else f"{number:7} {unit}")
+        print(f"  {name:22} {' '.join(cells)}".rstrip())
     sys.stdout.flush()
 
 
