@@ -1,35 +1,23 @@
-"""Compiles the contestants of a problem into one program, checks their results, and times them."""
+"""Measures the contestants of a problem: builds them, checks their results, times and counts."""
 
 from __future__ import annotations
 
-import re
 import shutil
-import statistics
 import subprocess
-from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import mpmath
 import numpy as np
-import numpy.typing as npt
 
 from benchmarks.contestants.contestant import Contestant
 from benchmarks.problems import Functions, Problem
+from symnav.bench.program import Array, built, code_bytes, run, stack_bytes
 
 HERE = Path(__file__).parent
 RECORDS = 64
 TOLERANCE = 1e-12
-
-FLAG_SETS: Mapping[str, tuple[str, ...]] = {
-    "o2": ("-O2",),
-    "v3": ("-O3", "-march=x86-64-v3", "-fno-math-errno", "-fno-trapping-math"),
-    "native": ("-O3", "-march=native", "-fno-math-errno", "-fno-trapping-math"),
-}
-"""The same for every contestant."""
-
-Array = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -61,29 +49,21 @@ def measure(
     Raises:
         SystemExit: when a contestant does not compile or computes something else.
     """
-    folder.mkdir(parents=True, exist_ok=True)
-    objects = [compiled(contestant, FLAG_SETS[flags], folder) for contestant in contestants]
-    program = linked(contestants, objects, folder)
+    candidates = [contestant.candidate for contestant in contestants]
+    program = built(candidates, flags, folder)
     inputs = records(problem)
-    given, taken = folder / "inputs.bin", folder / "outputs.bin"
-    np.concatenate([np.array(inputs.shape, float), inputs.ravel()]).tofile(given)
-    printed = subprocess.run(
-        [str(program), str(repetitions), str(given), str(taken)],
-        check=True, capture_output=True, text=True,
-    ).stdout  # fmt: skip
-    compare(problem, contestants, inputs, np.fromfile(taken))
-    times: dict[str, list[float]] = defaultdict(list)
-    for line in printed.splitlines():
-        name, _, nanoseconds = line.partition(" ")
-        times[name].append(float(nanoseconds))
+    taken = run(program, inputs, repetitions)
+    compare(problem, contestants, inputs, taken.outputs)
     return {
-        c.name: Figures(
-            round(statistics.median(times[c.name]), 3),
-            operations(c, folder),
-            code_bytes(c, item),
-            stack_bytes(c, item),
+        candidate.name: Figures(
+            taken.ns[candidate.name],
+            operations(contestant, folder),
+            code_bytes(candidate, item),
+            stack_bytes(candidate, item),
         )
-        for c, item in zip(contestants, objects, strict=True)
+        for contestant, candidate, item in zip(
+            contestants, candidates, program.objects, strict=True
+        )
     }
 
 
@@ -134,112 +114,37 @@ def expected(problem: Problem, record: Sequence[float]) -> tuple[list[float], li
 
 
 def compare(
-    problem: Problem, contestants: Sequence[Contestant], inputs: Array, outputs: Array
+    problem: Problem, contestants: Sequence[Contestant], inputs: Array, outputs: Mapping[str, Array]
 ) -> None:
     """Every contestant's first results against 50 digits."""
-    at = 0
     truths = [expected(problem, inputs[k]) for k in range(4)]
     for contestant in contestants:
-        runs = len(inputs) // contestant.epochs
-        block = outputs[at : at + runs * contestant.size].reshape(runs, contestant.size)
-        at += block.size
-        found = block[:, list(contestant.order)].reshape(len(inputs), -1)
+        found = outputs[contestant.name][:, list(contestant.order)].reshape(len(inputs), -1)
         for (truth, scale), row in zip(truths, found, strict=False):
             worst = np.max(np.abs(row - truth) / scale)
             if not worst < TOLERANCE:
-                raise SystemExit(f"{contestant.symbol}: differs by {worst:.1e}")
-
-
-def compiled(contestant: Contestant, flags: Sequence[str], folder: Path) -> Path:
-    """The object file of a contestant; every function in a section of its own."""
-    source = folder / f"{contestant.symbol}{contestant.suffix}"
-    source.write_text(contestant.source, encoding="utf-8")
-    target = source.with_suffix(".o")
-    compiler = ["gcc", "-std=gnu99"] if contestant.language == "c" else ["g++", "-std=c++17"]
-    command = [
-        *compiler, *flags, "-ffunction-sections", "-fstack-usage",
-        *(f"-I{place}" for place in contestant.include), "-c", str(source), "-o", str(target),
-    ]  # fmt: skip
-    done = subprocess.run(command, capture_output=True, text=True)
-    if done.returncode:
-        raise SystemExit(f"{contestant.symbol} does not compile:\n{done.stderr[:2000]}")
-    return target
-
-
-def linked(contestants: Sequence[Contestant], objects: Sequence[Path], folder: Path) -> Path:
-    """The program that times them."""
-    table = folder / "table.c"
-    lines = ["struct contestant { const char *name; void (*call)(const double *, double *);"]
-    lines += ["    long size; int epochs; };"]
-    lines += [f"void {c.symbol}(const double *, double *);" for c in contestants]
-    lines += [f"const int contestant_count = {len(contestants)};"]
-    lines += ["const struct contestant contestants[] = {"]
-    lines += [f'    {{"{c.name}", {c.symbol}, {c.size}, {c.epochs}}},' for c in contestants]
-    lines += ["};", ""]
-    table.write_text("\n".join(lines), encoding="utf-8")
-    program = folder / "program"
-    alone = [_alone(c, item) for c, item in zip(contestants, objects, strict=True)]
-    command = ["gcc", "-O2", "-std=gnu11", str(HERE / "harness.c"), str(table)]
-    command += [*map(str, alone), "-lm", "-lstdc++", "-o", str(program)]
-    subprocess.run(command, check=True, capture_output=True, text=True)
-    return program
-
-
-def _alone(contestant: Contestant, item: Path) -> Path:
-    """The object file with nothing to be seen but the adapter: two of one package never clash."""
-    target = item.with_suffix(".alone.o")
-    keep = f"--keep-global-symbol={contestant.symbol}"
-    subprocess.run(["objcopy", keep, str(item), str(target)], check=True, capture_output=True)
-    return target
-
-
-def code_bytes(contestant: Contestant, item: Path) -> int:
-    """Machine code that stays when only the measured function is kept."""
-    root = contestant.root or contestant.symbol
-    kept = item.with_suffix(".kept.o")
-    subprocess.run(
-        ["ld", "-r", "--gc-sections", "-u", root, "-e", root, str(item), "-o", str(kept)],
-        check=True, capture_output=True,
-    )  # fmt: skip
-    printed = subprocess.run(["size", "-A", str(kept)], check=True, capture_output=True, text=True)
-    sections = re.findall(r"^(\.text\S*)\s+(\d+)", printed.stdout, flags=re.MULTILINE)
-    return sum(int(size) for _, size in sections)
-
-
-def stack_bytes(contestant: Contestant, item: Path) -> int:
-    """Sum over the functions that stay; what is inlined counts where it ended up."""
-    root = contestant.root or contestant.symbol
-    kept = item.with_suffix(".kept.o")
-    symbols = subprocess.run(["nm", str(kept)], check=True, capture_output=True, text=True).stdout
-    names = {line.split()[-1] for line in symbols.splitlines() if " t " in line.lower()} | {root}
-    total = 0
-    for line in item.with_suffix(".su").read_text(encoding="utf-8").splitlines():
-        place, size, _ = line.split("\t")
-        function = place.rpartition(":")[2]
-        if any(function == name or f"{name}(" in function for name in names):
-            total += int(size)
-    return total
+                raise SystemExit(f"{problem.name} {contestant.name}: differs by {worst:.1e}")
 
 
 def operations(contestant: Contestant, folder: Path) -> int | None:
     """Floating-point operations of one call, counted by running it with a counting number."""
-    if contestant.epochs > 1 or not shutil.which("g++"):
+    candidate = contestant.candidate
+    if candidate.epochs > 1 or not shutil.which("g++"):
         return None
-    source = folder / f"{contestant.symbol}_counted.cpp"
-    original = folder / f"{contestant.symbol}{contestant.suffix}"
+    source = folder / f"{candidate.symbol}_counted.cpp"
     source.write_text(
-        f'#include "counted.hpp"\n#include "{original.name}"\n\n'
-        + _COUNTING.format(symbol=contestant.symbol, size=contestant.size),
+        f'#include "counted.hpp"\n#include "{candidate.file}"\n\n'
+        + _COUNTING.format(symbol=candidate.symbol, size=candidate.size),
         encoding="utf-8",
     )
     program = source.with_suffix("")
     command = [
         "g++", "-std=c++17", "-O0", "-w", "-fpermissive", "-Drestrict=", f"-I{HERE}", f"-I{folder}",
-        *(f"-I{place}" for place in contestant.include), str(source), "-o", str(program),
+        *(f"-I{place}" for place in candidate.include), str(source), "-o", str(program),
     ]  # fmt: skip
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode:
-        raise SystemExit(f"{contestant.symbol} cannot be counted:\n{done.stderr[:2000]}")
+        raise SystemExit(f"{candidate.symbol} cannot be counted:\n{done.stderr[:2000]}")
     given = folder / "inputs.bin"
     counted = subprocess.run([str(program), str(given)], capture_output=True, text=True, check=True)
     return int(counted.stdout)

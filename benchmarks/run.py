@@ -1,6 +1,6 @@
 """Runs the comparison: every contestant over the same models, interleaved in one process each.
 
-usage: python benchmarks/run.py [--flags o2|v3|native] [--json FILE] [--only MODEL,...] [--no-python]
+usage: python benchmarks/run.py [--flags o2|v3|native] [--json FILE] [--only MODEL,...]
 """
 
 from __future__ import annotations
@@ -24,8 +24,9 @@ from benchmarks.contestants import (
     sympy_code,
 )
 from benchmarks.contestants.contestant import Contestant
-from benchmarks.measuring import FLAG_SETS, Figures, measure, records
+from benchmarks.measuring import Figures, measure, records
 from benchmarks.problems import PROBLEMS, Problem
+from symnav.bench.program import FLAG_SETS
 
 WRITERS = (symnav_code, casadi_code, symforce_code, sympy_code, hand_code)
 

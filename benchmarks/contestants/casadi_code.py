@@ -8,22 +8,23 @@ from pathlib import Path
 import casadi as ca
 
 from benchmarks.contestants import derivatives
-from benchmarks.contestants.contestant import Contestant, adapter, natural
+from benchmarks.contestants.contestant import Contestant, natural, symbol_of
 from benchmarks.problems import Functions, Problem
+from symnav.bench.candidate import Candidate, adapter
 from symnav.lower.casadi_bridge import to_casadi
 
 FUNCTIONS = Functions(ca.sqrt, ca.sin, ca.cos)
 
 
-def contestants(problem: Problem, folder: Path) -> Iterator[Contestant]:
+def contestants(problem: Problem, _folder: Path) -> Iterator[Contestant]:
     """Each derivation with and without common-subexpression elimination."""
     automatic = automatically(problem)
-    yield _contestant(problem, "casadi", *_shared(*automatic), folder)
-    yield _contestant(problem, "casadi_nocse", *automatic, folder)
+    yield _contestant(problem, "casadi", *_shared(*automatic))
+    yield _contestant(problem, "casadi_nocse", *automatic)
     if problem.items <= derivatives.MOST_ITEMS:
         symbolic = symbolically(problem)
-        yield _contestant(problem, "casadi_sym", *_shared(*symbolic), folder)
-        yield _contestant(problem, "casadi_sym_nocse", *symbolic, folder)
+        yield _contestant(problem, "casadi_sym", *_shared(*symbolic))
+        yield _contestant(problem, "casadi_sym_nocse", *symbolic)
 
 
 def automatically(problem: Problem) -> tuple[ca.SX, ca.SX]:
@@ -51,17 +52,7 @@ def _shared(record: ca.SX, result: ca.SX) -> tuple[ca.SX, ca.SX]:
     return record, ca.cse(result)
 
 
-def operations(record: ca.SX, result: ca.SX) -> int:
-    """Instructions that are arithmetic."""
-    function = ca.Function("f", [record], [result])
-    outside = (ca.OP_INPUT, ca.OP_OUTPUT, ca.OP_CONST)
-    indices = range(function.n_instructions())
-    return sum(function.instruction_id(k) not in outside for k in indices)
-
-
-def _contestant(
-    problem: Problem, name: str, record: ca.SX, result: ca.SX, folder: Path
-) -> Contestant:
+def _contestant(problem: Problem, name: str, record: ca.SX, result: ca.SX) -> Contestant:
     function = f"{problem.name}_{name}"
     values = problem.rows
     sizes: Sequence[int] = [size for size in problem.sizes.values() if size]
@@ -76,9 +67,10 @@ def _contestant(
         f"double *results[2] = {{out, out + {values}}};",
         f"(void){function}(arguments, results, 0, 0, 0);",
     ]
-    source = generator.dump() + "\n" + adapter(problem, name, body)
-    order = natural(problem)
-    return Contestant(name, problem, source, order, len(order), root=function)
+    symbol, order = symbol_of(problem, name), natural(problem)
+    source = f"{generator.dump()}\n{adapter(symbol, body)}"
+    candidate = Candidate(name=name, symbol=symbol, source=source, size=len(order), root=function)
+    return Contestant(problem=problem, candidate=candidate, order=order)
 
 
 def _starts(sizes: Sequence[int]) -> list[int]:

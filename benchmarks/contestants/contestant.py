@@ -1,62 +1,36 @@
-"""What a contestant is, whatever wrote its code."""
+"""What a contestant is: a candidate for one problem, and where its results stand."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, field
-from pathlib import Path
+from dataclasses import dataclass
 
 from benchmarks.problems import Problem
+from symnav.bench.candidate import Candidate
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Contestant:
-    """Code that evaluates one problem through ``void <symbol>(const double *, double *)``.
+    """Code that evaluates one problem.
 
     Attributes:
-        name: as reported.
         problem: what it evaluates.
-        source: a whole translation unit that defines the adapter.
-        order: where in its output every element of the problem's result stands.
-        size: elements it writes.
-        language: ``c`` or ``c++``.
-        include: directories of its headers.
-        root: the function whose code bytes are reported; the adapter where its code is inlined.
-        epochs: results of one call; inputs and outputs lie one record after another.
+        candidate: the code.
+        order: where in its output every element of the problem's results stands, epoch by epoch.
     """
 
-    name: str
     problem: Problem
-    source: str
+    candidate: Candidate
     order: tuple[int, ...]
-    size: int
-    language: str = "c"
-    include: tuple[Path, ...] = field(default=())
-    root: str = ""
-    epochs: int = 1
 
     @property
-    def symbol(self) -> str:
-        """Name of the adapter."""
-        return symbol_of(self.problem, self.name)
-
-    @property
-    def suffix(self) -> str:
-        """Suffix of its source file."""
-        return ".c" if self.language == "c" else ".cpp"
+    def name(self) -> str:
+        """As reported."""
+        return self.candidate.name
 
 
 def symbol_of(problem: Problem, name: str) -> str:
     """Name of the adapter of a contestant."""
     return f"bench_{problem.name}_{name}"
-
-
-def adapter(problem: Problem, name: str, body: Sequence[str]) -> str:
-    """The adapter in C around a call."""
-    symbol = symbol_of(problem, name)
-    lines = "\n".join(f"    {line}" for line in body)
-    head = f"void {symbol}(const double *in, double *out)"
-    return f"{head};\n{head}\n{{\n{lines}\n}}\n"
 
 
 def natural(problem: Problem) -> tuple[int, ...]:

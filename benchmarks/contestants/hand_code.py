@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
-from benchmarks.contestants.contestant import Contestant, adapter, natural
+from benchmarks.contestants.contestant import Contestant, natural, symbol_of
 from benchmarks.problems import Problem
+from symnav.bench.candidate import Candidate, adapter
 
 SOURCES = Path(__file__).parents[1] / "hand"
 
@@ -30,5 +31,9 @@ def contestants(problem: Problem, _folder: Path) -> Iterator[Contestant]:
         call = f"{function}({parts}, out, out + {values});"
         order, source = natural(problem), f"{function}.c"
         size = len(order)
-    text = f'#include "{source}"\n\n' + adapter(problem, "hand", [call])
-    yield Contestant("hand", problem, text, order, size, include=(SOURCES,), root=function)
+    symbol = symbol_of(problem, "hand")
+    candidate = Candidate(
+        name="hand", symbol=symbol, source=f'#include "{source}"\n\n{adapter(symbol, [call])}',
+        size=size, include=(SOURCES,), root=function,
+    )  # fmt: skip
+    yield Contestant(problem=problem, candidate=candidate, order=order)

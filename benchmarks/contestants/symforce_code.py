@@ -8,6 +8,7 @@ from typing import Any
 
 from benchmarks.contestants.contestant import Contestant, natural, symbol_of
 from benchmarks.problems import Functions, Problem
+from symnav.bench.candidate import Candidate
 
 EIGEN = Path("/usr/include/eigen3")
 
@@ -20,6 +21,7 @@ def contestants(problem: Problem, folder: Path) -> Iterator[Contestant]:
         return
     if not EIGEN.is_dir():
         return
+    symforce.logger.setLevel("ERROR")
     symforce.set_epsilon_to_zero()
     yield _contestant(problem, folder / "symforce")
 
@@ -54,8 +56,11 @@ def _contestant(problem: Problem, folder: Path) -> Contestant:
         f"{{\n    sym::{function}<double>({call});\n}}\n"
     )
     order = natural(problem)
-    include = (header.parent, EIGEN)
-    return Contestant("symforce", problem, source, order, len(order), "c++", include)
+    candidate = Candidate(
+        name="symforce", symbol=symbol, source=source, size=len(order), language="c++",
+        include=(header.parent, EIGEN),
+    )  # fmt: skip
+    return Contestant(problem=problem, candidate=candidate, order=order)
 
 
 def _derived(problem: Problem, given: Any) -> tuple[list[Any], list[Any]]:

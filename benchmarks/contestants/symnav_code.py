@@ -2,122 +2,76 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator
 from pathlib import Path
 
-from benchmarks.contestants.contestant import Contestant, adapter
+from benchmarks.contestants.contestant import Contestant
 from benchmarks.problems import Problem
 from symnav import pipeline
+from symnav.bench.adapters import EPOCHS, Entries
 
 FUNCTION = "model"
-EPOCHS = 64
 
 
 def contestants(problem: Problem, folder: Path) -> Iterator[Contestant]:
     """Dense, non-zeros and batch, without guards; and with them, as it flies."""
-    bare = generated(problem, folder / "bare", guarded=False)
-    flown = generated(problem, folder / "guarded", guarded=True)
-    yield _nonzeros(problem, "symnav_nz", bare)
-    yield _dense(problem, "symnav_dense", bare)
-    yield _batch(problem, "symnav_batch", bare)
-    yield _nonzeros(problem, "symnav_nz_guarded", flown)
-    yield _dense(problem, "symnav_dense_guarded", flown)
-    yield _batch(problem, "symnav_batch_guarded", flown)
+    for guarded in (False, True):
+        entries = generated(problem, folder / ("guarded" if guarded else "bare"), guarded=guarded)
+        mark = "_guarded" if guarded else ""
+        yield Contestant(
+            problem=problem,
+            candidate=entries.nonzeros(f"symnav_nz{mark}"),
+            order=_nonzeros(problem, entries.function.maximum or 0),
+        )
+        yield Contestant(
+            problem=problem,
+            candidate=entries.dense(f"symnav_dense{mark}"),
+            order=_dense(problem, 1),
+        )
+        yield Contestant(
+            problem=problem,
+            candidate=entries.batch(f"symnav_batch{mark}"),
+            order=_dense(problem, EPOCHS),
+        )
 
 
-def generated(problem: Problem, folder: Path, *, guarded: bool) -> Path:
-    """The C tree of the problem's package."""
+def generated(problem: Problem, folder: Path, *, guarded: bool) -> Entries:
+    """The entry points of the problem's package."""
     text = problem.spec.read_text(encoding="utf-8")
     if not guarded:
         text = text.replace('name = "model"\n', 'name = "model"\nguards = "assume"\n')
     folder.mkdir(parents=True, exist_ok=True)
-    spec = folder / f"{problem.package}.toml"
-    spec.write_text(text, encoding="utf-8")
-    return pipeline.generate(pipeline.load(spec), folder, force=True).package / "c"
+    file = folder / f"{problem.package}.toml"
+    file.write_text(text, encoding="utf-8")
+    spec = pipeline.load(file)
+    package = pipeline.generate(spec, folder, force=True).package
+    (function,) = (f for f in pipeline.c_route(spec, pipeline.derive(spec)) if f.name == FUNCTION)
+    label = f"_{problem.name}_{'guarded' if guarded else 'bare'}"
+    return Entries(problem.package, function, package / "c", problem.items, label)
 
 
-def _nonzeros(problem: Problem, name: str, tree: Path) -> Contestant:
-    values = problem.rows
-    call = _call(problem, "_nz", ["out", f"out + {values}"])
-    if problem.items:
-        limit = 32
-        count = len(problem.nonzeros[0])
-        order = [
-            *range(values),
-            *(values + column * limit + i for i in range(problem.items) for column in range(count)),
-        ]
-        size = values + count * limit
-    else:
-        order = list(range(values + len(problem.pattern)))
-        size = len(order)
-    return _contestant(problem, name, tree, call, order, size)
-
-
-def _dense(problem: Problem, name: str, tree: Path) -> Contestant:
-    values, columns = problem.rows, problem.columns
-    call = _call(problem, "", ["out", f"out + {values}"])
-    order = [*range(values), *(values + row * columns + column for row, column in problem.pattern)]
-    return _contestant(problem, name, tree, call, order, values * (1 + columns))
-
-
-def _batch(problem: Problem, name: str, tree: Path) -> Contestant:
-    values, columns = problem.rows, problem.columns
-    block = EPOCHS * values
-    inputs = _arguments(problem)
-    arguments = [str(EPOCHS)]
-    for place in inputs:
-        arguments += [place, str(problem.record)]
-        arguments += [str(problem.items)] if problem.items and len(arguments) == 3 else []
-    arguments += ["out", f"out + {block}", "status", *(["items"] if problem.items else [])]
-    call = [
-        f"static unsigned char status[{EPOCHS}];",
-        *([f"static unsigned char items[{EPOCHS * problem.items}];"] if problem.items else []),
-        f"(void){problem.package}_{FUNCTION}_batch({', '.join(arguments)});",
-    ]
-    order: list[int] = []
-    for epoch in range(EPOCHS):
-        order += range(epoch * values, (epoch + 1) * values)
-        start = block + epoch * values * columns
-        order += [start + row * columns + column for row, column in problem.pattern]
-    size = block * (1 + columns)
-    return _contestant(problem, name, tree, call, order, size, "_batch", EPOCHS)
-
-
-def _arguments(problem: Problem) -> list[str]:
-    names = ["x", *(name for name, _ in problem.inputs)]
-    return [f"in + {problem.offsets[name]}" for name in names]
-
-
-def _call(problem: Problem, suffix: str, outputs: Sequence[str]) -> list[str]:
-    state, *inputs = _arguments(problem)
-    count = [str(problem.items)] if problem.items else []
-    items = ["items"] if problem.items else []
-    arguments = [state, *count, *inputs, *outputs, *items]
-    locals_ = [f"static unsigned char items[{problem.items}];"] if problem.items else []
-    return [*locals_, f"(void){problem.package}_{FUNCTION}{suffix}({', '.join(arguments)});"]
-
-
-def _contestant(
-    problem: Problem,
-    name: str,
-    tree: Path,
-    call: Sequence[str],
-    order: Sequence[int],
-    size: int,
-    suffix: str | None = None,
-    epochs: int = 1,
-) -> Contestant:
-    symbol = f"{problem.package}_{FUNCTION}"
-    called = next(line for line in call if line.startswith("(void)"))
-    root = called.removeprefix("(void)").partition("(")[0]
-    source = f'#include "{symbol}.c"\n\n' + adapter(problem, name, call)
-    include = (tree / "include", tree / "src")
-    return Contestant(
-        name, problem, source, tuple(order), size, include=include, root=root, epochs=epochs
-    )
-
-
-def lines(tree: Path, problem: Problem) -> Mapping[str, int]:
+def lines(entries: Entries) -> int:
     """Lines of the kernel file."""
-    kernel = tree / "src" / f"{problem.package}_{FUNCTION}_kernel.h"
-    return {kernel.name: len(kernel.read_text(encoding="utf-8").splitlines())}
+    kernel = entries.tree / "src" / f"{entries.prefix}_{FUNCTION}_kernel.h"
+    return len(kernel.read_text(encoding="utf-8").splitlines())
+
+
+def _nonzeros(problem: Problem, limit: int) -> tuple[int, ...]:
+    """Values, then non-zeros: by row, or in columns as long as the most satellites."""
+    values = problem.rows
+    if not problem.items:
+        return tuple(range(values + len(problem.pattern)))
+    columns = range(len(problem.nonzeros[0]))
+    places = (values + k * limit + i for i in range(problem.items) for k in columns)
+    return (*range(values), *places)
+
+
+def _dense(problem: Problem, epochs: int) -> tuple[int, ...]:
+    """The problem's non-zeros in full Jacobians behind all the values."""
+    values, columns = problem.rows, problem.columns
+    order: list[int] = []
+    for epoch in range(epochs):
+        order += range(epoch * values, (epoch + 1) * values)
+        start = epochs * values + epoch * values * columns
+        order += [start + row * columns + column for row, column in problem.pattern]
+    return tuple(order)

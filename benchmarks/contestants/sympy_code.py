@@ -10,8 +10,9 @@ from sympy.codegen.rewriting import create_expand_pow_optimization
 from sympy.printing.c import C99CodePrinter
 
 from benchmarks.contestants import derivatives
-from benchmarks.contestants.contestant import Contestant, adapter, natural
+from benchmarks.contestants.contestant import Contestant, natural, symbol_of
 from benchmarks.problems import Problem
+from symnav.bench.candidate import Candidate, adapter
 
 
 def contestants(problem: Problem, _folder: Path) -> Iterator[Contestant]:
@@ -32,8 +33,8 @@ def contestants(problem: Problem, _folder: Path) -> Iterator[Contestant]:
     lines = [f"    const double {left} = {text(right)};" for left, right in replacements]
     lines += [f"    out[{k}] = {text(entry)};" for k, entry in enumerate(reduced)]
     head = f"void {function}(const double in[restrict], double out[restrict])"
-    source = "\n".join(["#include <math.h>", f"{head};", head, "{", *lines, "}", ""]) + adapter(
-        problem, name, [f"{function}(in, out);"]
-    )
-    order = natural(problem)
-    yield Contestant(name, problem, source, order, len(order), root=function)
+    symbol, order = symbol_of(problem, name), natural(problem)
+    whole = ["#include <math.h>", f"{head};", head, "{", *lines, "}", ""]
+    source = "\n".join(whole) + adapter(symbol, [f"{function}(in, out);"])
+    candidate = Candidate(name=name, symbol=symbol, source=source, size=len(order), root=function)
+    yield Contestant(problem=problem, candidate=candidate, order=order)
