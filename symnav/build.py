@@ -14,6 +14,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+import platform
 import re
 import shlex
 import shutil
@@ -58,6 +59,10 @@ UNFUSED_FLAGS: Mapping[str, str] = {
     "-mno-avx512f": "which has fused instructions of its own; costs up to a fifth where it exists",
 }
 """Added with ``-march=native`` on x86, so that results stay the same bits there as well."""
+
+DISPATCH_FLAG = "-DSYMNAV_DISPATCH"
+"""Added without ``-march=native`` where gcc and the GNU C library can: loops for AVX2 beside those
+for every processor, chosen when the extension is loaded. The same bits either way."""
 
 WINDOWS_FLAGS: Mapping[str, str] = {
     "/O2": "optimises for speed",
@@ -147,7 +152,8 @@ def build(package: Path, *, native: bool = False, log: Log | None = None) -> Bui
     if not extensions:
         raise BuildError(f"{package} holds no C to compile; generate the package first")
     compiler = find_compiler()
-    flags = [*(WINDOWS_FLAGS if _WINDOWS else FLAGS), *(_native_flags(compiler) if native else ())]
+    flags = [*(WINDOWS_FLAGS if _WINDOWS else FLAGS)]
+    flags += _native_flags(compiler) if native else _dispatch_flags(compiler)
     digests = {
         path.relative_to(package).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest()
         for path in _inputs(package)
@@ -267,6 +273,14 @@ def _native_flags(compiler: Compiler) -> list[str]:
     machine = compiler.identity.rpartition(", ")[2]
     is_x86 = re.match(r"x86_64|i\d86", machine) is not None
     return [NATIVE_FLAG, *(UNFUSED_FLAGS if is_x86 else ())]
+
+
+def _dispatch_flags(compiler: Compiler) -> list[str]:
+    """Flags for code that carries loops for several processors."""
+    if _WINDOWS or platform.libc_ver()[0] != "glibc":
+        return []
+    name, _, machine = compiler.identity.rpartition(", ")
+    return [DISPATCH_FLAG] if machine.startswith("x86_64") and "clang" not in name else []
 
 
 def _machine(compiler: Compiler) -> str:

@@ -54,7 +54,9 @@ def test_record_names_what_was_built(package: Path) -> None:
     assert re.fullmatch(r"_rover_[0-9a-f]{16}", str(written["native"]))
     assert written["casadi"] is None
     assert result.modules["native"].name.startswith(str(written["native"]) + ".")
-    assert written["flags"] == list(build.FLAGS)
+    flags = written["flags"]
+    assert isinstance(flags, list)
+    assert [flag for flag in flags if flag != build.DISPATCH_FLAG] == list(build.FLAGS)
     assert "-ffast-math" not in build.FLAGS
     sources = written["sources"]
     assert isinstance(sources, dict)
@@ -148,6 +150,27 @@ def test_native_build_gives_the_same_bits(tmp_path: Path) -> None:
         for key, array in one.outputs.items():
             np.testing.assert_array_equal(same[key], array)
             np.testing.assert_array_equal(stacked[key][place].ravel(), array)
+
+
+@pytest.mark.skipif(
+    build.DISPATCH_FLAG not in build._dispatch_flags(build.find_compiler()),
+    reason="needs gcc for x86-64 and the GNU C library",
+)
+def test_dispatch_gives_the_same_bits(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Loops for wide registers are there, the loader picks, and nothing changes but the time."""
+    function = modules.antenna(guarded=False)
+    package = write_package(tmp_path, modules.module(function))
+    samples = [draw(function, seed) for seed in range(40)]
+    wide = Library(load_extension(build.build(package)), "rover", np.float64)
+    module = build.build(package).modules["native"]
+    code = subprocess.run(["objdump", "-d", module], capture_output=True, text=True, check=True)
+    assert "ymm" in code.stdout
+    assert "fmadd" not in code.stdout
+    batch = wide.batch(function, samples)
+    monkeypatch.setattr(build, "_dispatch_flags", lambda _compiler: [])
+    narrow = Library(load_extension(build.build(package)), "rover", np.float64)
+    for key, array in narrow.batch(function, samples).outputs.items():
+        np.testing.assert_array_equal(batch[key], array)
 
 
 def test_other_files_stay(package: Path) -> None:

@@ -301,7 +301,9 @@ class Mapped:
             if any(slot in slots_of(output) for output in chosen)
         ]
         return {
-            "head": self._loop_head(f"{kernel.local}_lanes{suffix}", "static void", [block]),
+            "head": self._loop_head(
+                f"{kernel.local}_lanes{suffix}", f"static {kernel.target.macro}_WIDE void", [block]
+            ),
             **self._evaluation("lane"),
             "puts": self.statements(puts, 2),
         }
@@ -372,7 +374,7 @@ class Mapped:
             *(["codes"] if self.fallible else []),
         ]
         return {
-            "head": entry.prototype(kernel.target.status),
+            "head": entry.prototype(f"{kernel.target.macro}_WIDE {kernel.target.status}"),
             "pointers": comments.code(f"if ({entry.pointers}) {{"),
             "loop_head": self._loop_head(
                 name, f"{kernel.target.macro}_INLINE void", [*parameters, *codes]

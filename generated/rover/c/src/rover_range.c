@@ -113,7 +113,7 @@ ROVER_INLINE void range_clear_jacobian(rover_real_t dense[])
 }
 
 /* Evaluate a block of items; the compiler runs neighbouring items in one vector register. */
-static void range_lanes(
+static ROVER_WIDE void range_lanes(
     const range_input_t *ROVER_RESTRICT in,
     const range_shared_t *ROVER_RESTRICT shared,
     int32_t count,
@@ -141,7 +141,7 @@ static void range_lanes(
 }
 
 /* Evaluate a block of items; the compiler runs neighbouring items in one vector register. */
-static void range_lanes_value(
+static ROVER_WIDE void range_lanes_value(
     const range_input_t *ROVER_RESTRICT in,
     const range_shared_t *ROVER_RESTRICT shared,
     int32_t count,
@@ -168,7 +168,7 @@ static void range_lanes_value(
 }
 
 /* Evaluate a block of items; the compiler runs neighbouring items in one vector register. */
-static void range_lanes_jacobian(
+static ROVER_WIDE void range_lanes_jacobian(
     const range_input_t *ROVER_RESTRICT in,
     const range_shared_t *ROVER_RESTRICT shared,
     int32_t count,
@@ -469,7 +469,7 @@ ROVER_INLINE void range_columns(
     }
 }
 
-rover_status_t rover_range_nz(
+ROVER_WIDE rover_status_t rover_range_nz(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
     int32_t n,
     const rover_real_t nav_to_ecef[ROVER_RESTRICT 4],
