@@ -144,18 +144,21 @@ class Arguments:
     def selected(self, name: str, binding: BySystem) -> Quantity:
         """The scalar of the item's satellite system: sum of [system = k] b_k."""
         code = self.integer(binding.selector)
-        terms, unit = [], None
+        terms: list[sp.Expr] = []
+        found: set[units.Unit] = set()
         for k, (system, choice) in enumerate(binding.choices):
             value = self.state(choice.block) if isinstance(choice, ToState) else (
                 self.input(choice.name)
             )  # fmt: skip
             assert isinstance(value, Quantity)
-            unit = value.unit
+            found.add(value.unit)
             indicator = sp.Piecewise((sp.Integer(1), sp.Eq(code, k)), (sp.Integer(0), True))
             (weight,) = self.graph.define(f"is_{system}", [indicator])
             terms.append(weight * value.elements[0])
-        assert unit is not None
-        return Quantity(self.graph, self.graph.let(name, [sp.Add(*terms)]), unit)
+        if len(found) != 1:
+            listed = " and ".join(sorted(map(str, found)))
+            raise EquationError(f"the systems of {name} are in {listed}; one unit is needed")
+        return Quantity(self.graph, self.graph.let(name, [sp.Add(*terms)]), found.pop())
 
     def matrix_between(self, source: str, target: str) -> Row:
         """Nine entries of the rotation from ``source`` to ``target`` (``blocks.Nominal``)."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from symnav import naming
+from symnav import naming, units
 from symnav.blocks import Block, VectorBlock
 from symnav.equations.bound import Results
 from symnav.equations.model import Model, OptionValue, Role
@@ -97,6 +97,8 @@ def check(draft: Draft, scope: Scope, problems: Problems) -> None:
             _check_fit(draft, role, block, item, problems)
         if isinstance(binding, BySlot):
             _check_slots(draft, name, binding, scope, problems)
+        if isinstance(binding, BySystem):
+            _check_units(draft, name, binding, scope, problems)
     if draft.sound:
         for key, message in model.check(draft.options, frozenset(draft.bindings)):
             problems.add(f"{path}.{key}", message)
@@ -161,6 +163,21 @@ def _check_fit(
             f"the range of {block.name!r} includes zero, by which {name} divides; declare a range "
             "without it",
         )
+
+
+def _check_units(
+    draft: Draft, name: str, binding: BySystem, scope: Scope, problems: Problems
+) -> None:
+    """The choices stand in one sum, so they have one unit."""
+    found = [
+        (f"{system} = {block.name!r} is in {block.units[0]!r}", units.parse(block.units[0]))
+        for system, choice in binding.choices
+        for block, _ in _blocks(choice, scope)
+        if misfit(draft.model.role(name), block, draft.options) is None
+    ]
+    if len({unit for _, unit in found}) > 1:
+        listed = ", ".join(words for words, _ in found)
+        problems.add(f"{draft.row.path}.{name}", f"{listed}; give all systems one unit")
 
 
 def _check_slots(
