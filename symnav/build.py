@@ -335,8 +335,7 @@ def _compile(
     extension: _Extension, name: str, compiler: Compiler, flags: Sequence[str], folder: Path
 ) -> Path:
     """Compile an extension in a folder of its own."""
-    wrapper = cffi.FFI()
-    wrapper.cdef(extension.declarations)
+    wrapper = _declared(extension)
     if _WINDOWS:
         return compile_with_setuptools(wrapper, name, extension.preamble, extension, flags, folder)
     python = Path(sysconfig.get_path("include"))
@@ -359,6 +358,22 @@ def _compile(
         [*compiler.command, *shared, "-o", str(made), *map(str, objects), "-lm"], extension.package
     )
     return made
+
+
+def _declared(extension: _Extension) -> cffi.FFI:
+    """The declarations of the headers, as cffi reads them."""
+    wrapper = cffi.FFI()
+    try:
+        wrapper.cdef(extension.declarations)
+    except (cffi.CDefError, cffi.FFIError) as error:
+        log = extension.package / "_build.log"
+        log.write_text(f"{error}\n\n{extension.declarations}", encoding="utf-8")
+        first = str(error).partition("\n")[0]
+        raise BuildError(
+            f"cffi cannot read the declarations of {extension.include}: {first}; generate the "
+            f"package again, under other names where one clashes; all that was read is in {log}"
+        ) from error
+    return wrapper
 
 
 def _flags_of(source: Path, flags: Sequence[str]) -> list[str]:

@@ -362,3 +362,15 @@ class TestDeclarations:
         assert lib.ROVER_ROWS_MAX_ITEMS == 33
         assert list(lib.rover_rows_jacobian_rows) == [0, 1, 1]
         assert list(lib.rover_rows_jacobian_columns) == [0, 0, 1]
+
+
+def test_declarations_that_cffi_cannot_read(package: Path) -> None:
+    """One message that names the headers and the log, whatever cffi raises."""
+    header = next((package / "c" / "include").glob("*/rover.h"))
+    text = header.read_text(encoding="utf-8")
+    for clash in ("int rover_real_t(int a);", "int twice(int a);\nint twice(double a);"):
+        marked = text.replace("/* Interface ends. */", f"{clash}\n/* Interface ends. */")
+        header.write_text(marked, encoding="utf-8")
+        with pytest.raises(errors.BuildError, match="cffi cannot read the declarations"):
+            build.build(package)
+        assert clash.partition("\n")[0] in (package / "_build.log").read_text(encoding="utf-8")
