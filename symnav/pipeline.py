@@ -61,10 +61,10 @@ class Generated:
 
 @dataclass(frozen=True)
 class Derived:
-    """The derivations of a spec: its entries, and retract and local."""
+    """The derivations of a spec: its entries, and retract and local where there is a state."""
 
     entries: tuple[Derivation, ...]
-    layout: tuple[Derivation, Derivation]
+    layout: tuple[Derivation, ...]
 
 
 def shipped() -> list[tuple[str, str]]:
@@ -97,14 +97,15 @@ def load(spec: str | Path) -> Spec:
 
 
 def derive(spec: Spec) -> Derived:
-    """Derive every entry of a spec, and retract and local of its layout."""
+    """Derive every entry of a spec, and retract and local of its layout if it has blocks."""
     from symnav import derive as derivation
     from symnav.naming import RESERVED
 
     reserved = RESERVED | spec.inputs.keys()
+    maps = (derivation.derive_retract, derivation.derive_local) if spec.layout.blocks else ()
     return Derived(
         tuple(derivation.derive(spec, entry, reserved) for entry in spec.entries),
-        (derivation.derive_retract(spec, reserved), derivation.derive_local(spec, reserved)),
+        tuple(derive_map(spec, reserved) for derive_map in maps),
     )
 
 

@@ -10,6 +10,7 @@ import pytest
 
 from symnav import pipeline
 from symnav.errors import HandEditedError, InputError
+from symnav.spec import loads
 from symnav.spec.records import Spec
 
 
@@ -84,3 +85,24 @@ def digest_of(path: Path) -> str:
 def test_importing_something_else_says_so(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="not a generated package"):
         pipeline.import_package(tmp_path)
+
+
+STATELESS = {
+    "orbit": "[[measurement]]\nname = 'orbit'\nmodel = 'broadcast_orbit'\n",
+    "square": "[[input]]\nname = 'u'\nkind = 'scalar'\nunit = '1'\nrange = [-3, 3]\n"
+    "[[measurement]]\nname = 'square'\nequation = ['u*u']\njacobians = ['u']\n",
+    "items": "[[input]]\nname = 'u'\nkind = 'scalar'\nunit = '1'\nrange = [-3, 3]\nitem = true\n"
+    "[[measurement]]\nname = 'square'\nequation = ['u*u']\njacobians = ['u']\n"
+    "difference = 'single'\n",
+}
+
+
+@pytest.mark.parametrize("text", STATELESS.values(), ids=STATELESS)
+def test_a_specification_without_a_state(text: str, tmp_path: Path) -> None:
+    """Its functions are generated, built and proven; there is nothing to retract."""
+    spec = loads(f"name = 'alone'\n{text}")
+    sheet = pipeline.verify(spec, samples=20, out=tmp_path)
+    assert sheet.passed, sheet
+    package = pipeline.import_package(tmp_path / "alone")
+    assert not {"State", "retract", "local"} & set(package.__all__)
+    assert "retract" not in "".join(contents(tmp_path / "alone" / "c"))

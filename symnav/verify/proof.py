@@ -144,7 +144,7 @@ def prove(
     Args:
         spec: the specification.
         derivations: one per entry.
-        layout_functions: retract and local.
+        layout_functions: retract and local, or none where there is no state.
         package: the imported generated package.
         samples: per function.
         seed: of the samples.
@@ -168,8 +168,9 @@ def prove(
         proof = _FunctionProof(spec, derivation, drawn)
         findings += _prove_function(proof, backends, reference)
         rows += proof.rows()
-    progress("retract and local")
-    rows += _prove_layout(spec, layout_functions, backends, samples, seed)
+    if layout_functions:
+        progress("retract and local")
+        rows += _prove_layout(spec, layout_functions, backends, samples, seed)
     return ProofSheet(spec.name, tuple(rows), tuple(findings), tuple(notes), samples, seed)
 
 
