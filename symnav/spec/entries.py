@@ -224,13 +224,17 @@ def residual_name(table: EntryTable) -> str | None:
 
 def try_out(draft: Draft, scope: Scope, problems: Problems) -> Results | None:
     """Evaluate the equation once, so that what it refuses is reported where it stands."""
-    if draft.outcome is not None:
-        return draft.outcome
-    try:
-        return evaluate(draft.model, draft.bindings, draft.options, draft.frames, scope)
-    except EquationError as error:
-        problems.add(draft.row.path, str(error))
-        return None
+    outcome = draft.outcome
+    if outcome is None:
+        try:
+            outcome = evaluate(draft.model, draft.bindings, draft.options, draft.frames, scope)
+        except EquationError as error:
+            problems.add(draft.row.path, str(error))
+            return None
+    if all(e == 0 for value in outcome.outputs.values() for e in value.elements):
+        key = "equation" if draft.table.equation is not None else "model"
+        problems.add(f"{draft.row.path}.{key}", "the result is zero, whatever it reads")
+    return outcome
 
 
 def measured_input(
