@@ -272,7 +272,8 @@ def _check(
             ("sculling", "previous increments serve sculling; leave them out or ask for it")
         )
     corrected = [key for key in ("rotation", "sculling") if options[key] != "none"]
-    corrected = [key for key in corrected if key == "rotation" or options["samples"] != 1]
+    pairs = options["samples"] != 1 or rates  # what sculling works on
+    corrected = [key for key in corrected if key == "rotation" or pairs]
     if options["increments"] == "compensated" and (corrected or previous):
         problems.append(
             (
@@ -282,6 +283,15 @@ def _check(
                 "increments = 'raw'",
             )
         )
+    if rates and options["samples"] != 1:
+        problems.append(
+            ("samples", "rates are those at the ends of the interval; they have no sub-samples")
+        )
+    if previous and options["sculling"] == "harmonic":
+        problems.append(
+            ("sculling", "harmonic sculling needs sub-samples; the previous increments use "
+             "'polynomial'")
+        )  # fmt: skip
     if options["sculling"] == "harmonic" and rates:
         problems.append(("sculling", "harmonic sculling needs sub-samples; rates use 'polynomial'"))
     needs_dt = options["output"] == "specific_force" or rates

@@ -204,6 +204,11 @@ def test_rules() -> None:
     assert problems(previous, samples=2) == {"samples"}
     assert problems(previous, sculling="none") == {"sculling"}
     assert problems(f"{ends} dt", input="rates", sculling="harmonic") == {"sculling"}
+    plain = {"input": "rates", "rotation": "none", "increments": "compensated"}
+    assert problems(f"{ends} dt", **plain) == {"increments"}
+    assert problems(f"{ends} dt", **plain, sculling="none") == set()
+    assert problems(f"{ends} dt", input="rates", samples=3) == {"samples"}
+    assert problems(previous, sculling="harmonic") == {"sculling"}
     assert problems(both, increments="compensated") == {"increments"}
     assert problems(both, increments="compensated", rotation="none") == set()
     compensated = {"increments": "compensated", "rotation": "none", "samples": 2}
