@@ -24,7 +24,6 @@ import sysconfig
 import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -304,10 +303,10 @@ def _provide(
         tell(f"{place.name} from the cache")
         return False
     tell(f"compiling {place.name} with {compiler.identity}")
-    with _workshop(extension.package) as folder:
-        made = _compile(extension, name, compiler, flags, folder)
-        content = made.read_bytes()
-        os.replace(made, place)
+    # Outside the package: a build that is killed leaves nothing in it.
+    with tempfile.TemporaryDirectory(prefix="symnav-build-", ignore_cleanup_errors=True) as folder:
+        content = _compile(extension, name, compiler, flags, Path(folder)).read_bytes()
+    _replace(place, content)
     _keep(kept, content, tell)
     return True
 
@@ -319,16 +318,6 @@ def _keep(kept: Path, content: bytes, tell: Log) -> None:
         _replace(kept, content)
     except OSError as error:
         tell(f"not cached: {error}")
-
-
-@contextmanager
-def _workshop(package: Path) -> Iterator[Path]:
-    """A temporary directory beside the result, so that moving it is atomic."""
-    folder = Path(tempfile.mkdtemp(prefix="_build-", dir=package))
-    try:
-        yield folder
-    finally:
-        shutil.rmtree(folder, ignore_errors=True)
 
 
 def _compile(
@@ -440,7 +429,7 @@ def _refusal(package: Path, output: str) -> BuildError:
 
 def _replace(place: Path, content: bytes) -> None:
     """Write a file so that nobody ever sees half of it."""
-    handle, temporary = tempfile.mkstemp(prefix="_build-", dir=place.parent)
+    handle, temporary = tempfile.mkstemp(prefix=".build-", dir=place.parent)
     with os.fdopen(handle, "wb") as file:
         file.write(content)
     os.chmod(temporary, 0o644)

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import hashlib
 import json
+import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import sysconfig
@@ -374,3 +376,27 @@ def test_declarations_that_cffi_cannot_read(package: Path) -> None:
         with pytest.raises(errors.BuildError, match="cffi cannot read the declarations"):
             build.build(package)
         assert clash.partition("\n")[0] in (package / "_build.log").read_text(encoding="utf-8")
+
+
+def test_a_killed_build_leaves_the_package_as_it_was(package: Path, tmp_path: Path) -> None:
+    """The compiler stops the whole build while it works; nothing foreign stays in the package."""
+    before = set(package.rglob("*"))
+    script = tmp_path / "cc"
+    script.write_text(
+        f"#!{sys.executable}\n"
+        "import os, signal, subprocess, sys\n"
+        "if '-c' in sys.argv:\n"
+        "    os.kill(os.getppid(), signal.SIGKILL)\n"
+        "sys.exit(subprocess.call(['gcc', *sys.argv[1:]]))\n",
+        encoding="utf-8",
+    )
+    script.chmod(0o755)
+    command = "import sys; from pathlib import Path; from symnav import build;"
+    command += f"build.build(Path({str(package)!r}))"
+    done = subprocess.run(
+        [sys.executable, "-c", command],
+        env={**os.environ, "CC": str(script), "TMPDIR": str(tmp_path)},
+        check=False,
+    )
+    assert done.returncode == -signal.SIGKILL
+    assert set(package.rglob("*")) == before
