@@ -60,10 +60,22 @@ def test_a_manifest_cannot_name_files_elsewhere(spec: Spec, tmp_path: Path) -> N
     manifest = json.loads((package / "manifest.json").read_text())
     manifest["files"]["../precious.txt"] = "0" * 64
     (package / "manifest.json").write_text(json.dumps(manifest))
-    for force in (False, True):
-        with pytest.raises(InputError, match=r"manifest\.json cannot be read"):
-            pipeline.generate(spec, tmp_path, force=force)
+    with pytest.raises(InputError, match=r"manifest\.json cannot be read"):
+        pipeline.generate(spec, tmp_path)
+    pipeline.generate(spec, tmp_path, force=True)
     assert outside.read_text() == "keep"
+
+
+@pytest.mark.parametrize("damaged", ["", "{", "[]", "\x00"])
+def test_force_repairs_a_damaged_manifest(damaged: str, spec: Spec, tmp_path: Path) -> None:
+    """Every other way says that force is the way out."""
+    package = pipeline.generate(spec, tmp_path).package
+    (package / "manifest.json").write_text(damaged)
+    for refused in (lambda: pipeline.generate(spec, tmp_path), lambda: pipeline.check(package)):
+        with pytest.raises(InputError, match="symnav generate --force"):
+            refused()
+    assert pipeline.generate(spec, tmp_path, force=True).written == ("manifest.json",)
+    assert pipeline.check(package, spec).state == "fresh"
 
 
 def test_files_no_longer_generated_are_removed(spec: Spec, tmp_path: Path) -> None:
