@@ -71,7 +71,7 @@ def loads(text: str, source: str = "specification") -> Spec:
         SpecError: when it has mistakes; all of them are listed.
     """
     try:
-        table = tomllib.loads(text)
+        table = tomllib.loads(text.removeprefix("\ufeff"))  # some editors lead with a mark
     except tomllib.TOMLDecodeError as error:
         raise SpecError([Problem("", f"not TOML: {error}")], source) from None
     except RecursionError:
@@ -176,7 +176,9 @@ class _Stages:
         """The library's model, or None for a user equation or a mistake."""
         table: EntryTable = row.table
         if (table.model is None) == (table.equation is None):
-            self.problems.add(row.path, "needs either a model or an equation")
+            given = "has both a model and an equation; leave one out"
+            missing = "needs either a model or an equation"
+            self.problems.add(row.path, missing if table.model is None else given)
             return None
         if table.model is None:
             for key in table.__pydantic_extra__ or {}:

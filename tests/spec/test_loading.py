@@ -340,3 +340,10 @@ def test_an_input_that_only_an_error_frame_needs() -> None:
         """
     )
     assert list(spec.inputs) == ["attitude"]
+
+
+def test_a_byte_order_mark_is_read_over(tmp_path: Path) -> None:
+    text = "name = 'rover'\n[[state]]\nname = 'clock'\nkind = 'scalar'\nunit = 'm'\n"
+    (tmp_path / "rover.toml").write_text(text, encoding="utf-8-sig")
+    assert load(tmp_path / "rover.toml").name == "rover"
+    assert loads(f"\ufeff{text}").name == "rover"
