@@ -84,10 +84,10 @@ ekf_cal_gps_status_t ekf_cal_gps_retract_batch(
  * Outputs are written only when the status is OK. Inputs and outputs must not overlap. Reentrant.
  *
  * @param[in]   x      State vector; its blocks, units and ranges stand in the header of the types.
- * @param[in]   y      [22] m in l: ; range -1e+06 to 1e+06. m/s in l: ; range -1e+09 to 1e+09.
- *                     m/s^2 in l: ; range -1e+09 to 1e+09. b -> l: ; unit quaternion, order w x y
- *                     z, q.q = 1 within 1e-05. rad/s in l: ; range -1e+09 to 1e+09. rad/s^2 in l: ;
- *                     range -1e+09 to 1e+09. m in b: ; range -50 to 50.
+ * @param[in]   y      [22] m in l: range -1e+06 to 1e+06. m/s in l: range -1e+09 to 1e+09. m/s^2 in
+ *                     l: range -1e+09 to 1e+09. b -> l: unit quaternion, order w x y z, q.q = 1
+ *                     within 1e-05. rad/s in l: range -1e+09 to 1e+09. rad/s^2 in l: range -1e+09
+ *                     to 1e+09. m in b: range -50 to 50.
  * @param[out]  value  [21] Value of the equation.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
  *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
@@ -106,10 +106,10 @@ ekf_cal_gps_status_t ekf_cal_gps_local(
  * @param[in]   epochs  Number of epochs.
  * @param[in]   x       State vector; its blocks, units and ranges stand in the header of the types.
  * @param[in]   x_step  Elements from one epoch of x to the next; 0 for the same.
- * @param[in]   y       [22] m in l: ; range -1e+06 to 1e+06. m/s in l: ; range -1e+09 to 1e+09.
- *                      m/s^2 in l: ; range -1e+09 to 1e+09. b -> l: ; unit quaternion, order w x y
- *                      z, q.q = 1 within 1e-05. rad/s in l: ; range -1e+09 to 1e+09. rad/s^2 in l:
- *                      ; range -1e+09 to 1e+09. m in b: ; range -50 to 50.
+ * @param[in]   y       [22] m in l: range -1e+06 to 1e+06. m/s in l: range -1e+09 to 1e+09. m/s^2
+ *                      in l: range -1e+09 to 1e+09. b -> l: unit quaternion, order w x y z, q.q = 1
+ *                      within 1e-05. rad/s in l: range -1e+09 to 1e+09. rad/s^2 in l: range -1e+09
+ *                      to 1e+09. m in b: range -50 to 50.
  * @param[in]   y_step  Elements from one epoch of y to the next; 0 for the same.
  * @param[out]  value   As in one call, epoch after epoch, by row: [epochs x 21].
  * @param[out]  status  Status of every epoch, one byte each.

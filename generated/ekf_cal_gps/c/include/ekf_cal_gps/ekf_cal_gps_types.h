@@ -46,13 +46,13 @@ typedef enum {
 /**
  * Storage of the state vector x: first element and size of every block.
  *
- * - position (vector): ; range -1e+06 to 1e+06. additive, true minus estimate
- * - velocity (vector): ; range -1e+09 to 1e+09. additive, true minus estimate
- * - acceleration (vector): ; range -1e+09 to 1e+09. additive, true minus estimate
- * - attitude (rotation): ; unit quaternion, order w x y z, q.q = 1 within 1e-05. R Exp(d)
- * - angular_rate (vector): ; range -1e+09 to 1e+09. additive, true minus estimate
- * - angular_acceleration (vector): ; range -1e+09 to 1e+09. additive, true minus estimate
- * - antenna (vector): ; range -50 to 50. additive, true minus estimate
+ * - position (vector): range -1e+06 to 1e+06. additive, true minus estimate
+ * - velocity (vector): range -1e+09 to 1e+09. additive, true minus estimate
+ * - acceleration (vector): range -1e+09 to 1e+09. additive, true minus estimate
+ * - attitude (rotation): unit quaternion, order w x y z, q.q = 1 within 1e-05. R Exp(d)
+ * - angular_rate (vector): range -1e+09 to 1e+09. additive, true minus estimate
+ * - angular_acceleration (vector): range -1e+09 to 1e+09. additive, true minus estimate
+ * - antenna (vector): range -50 to 50. additive, true minus estimate
  */
 enum {
     EKF_CAL_GPS_X_POSITION = 0,  /* x y z, m, l */

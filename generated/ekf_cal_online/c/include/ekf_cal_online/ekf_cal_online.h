@@ -86,11 +86,11 @@ ekf_cal_online_status_t ekf_cal_online_retract_batch(
  * Outputs are written only when the status is OK. Inputs and outputs must not overlap. Reentrant.
  *
  * @param[in]   x      State vector; its blocks, units and ranges stand in the header of the types.
- * @param[in]   y      [26] m in l: ; range -1e+06 to 1e+06. m/s in l: ; range -1e+09 to 1e+09.
- *                     m/s^2 in l: ; range -1e+09 to 1e+09. b -> l: ; unit quaternion, order w x y
- *                     z, q.q = 1 within 1e-05. rad/s in l: ; range -1e+09 to 1e+09. rad/s^2 in l: ;
- *                     range -1e+09 to 1e+09. rad g -> l: ; range -3.14159 to 3.14159. m in b: ;
- *                     range -50 to 50. m in b: ; range -50 to 50.
+ * @param[in]   y      [26] m in l: range -1e+06 to 1e+06. m/s in l: range -1e+09 to 1e+09. m/s^2 in
+ *                     l: range -1e+09 to 1e+09. b -> l: unit quaternion, order w x y z, q.q = 1
+ *                     within 1e-05. rad/s in l: range -1e+09 to 1e+09. rad/s^2 in l: range -1e+09
+ *                     to 1e+09. rad g -> l: range -3.14159 to 3.14159. m in b: range -50 to 50. m
+ *                     in b: range -50 to 50.
  * @param[out]  value  [25] Value of the equation.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
  *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
@@ -109,11 +109,11 @@ ekf_cal_online_status_t ekf_cal_online_local(
  * @param[in]   epochs  Number of epochs.
  * @param[in]   x       State vector; its blocks, units and ranges stand in the header of the types.
  * @param[in]   x_step  Elements from one epoch of x to the next; 0 for the same.
- * @param[in]   y       [26] m in l: ; range -1e+06 to 1e+06. m/s in l: ; range -1e+09 to 1e+09.
- *                      m/s^2 in l: ; range -1e+09 to 1e+09. b -> l: ; unit quaternion, order w x y
- *                      z, q.q = 1 within 1e-05. rad/s in l: ; range -1e+09 to 1e+09. rad/s^2 in l:
- *                      ; range -1e+09 to 1e+09. rad g -> l: ; range -3.14159 to 3.14159. m in b: ;
- *                      range -50 to 50. m in b: ; range -50 to 50.
+ * @param[in]   y       [26] m in l: range -1e+06 to 1e+06. m/s in l: range -1e+09 to 1e+09. m/s^2
+ *                      in l: range -1e+09 to 1e+09. b -> l: unit quaternion, order w x y z, q.q = 1
+ *                      within 1e-05. rad/s in l: range -1e+09 to 1e+09. rad/s^2 in l: range -1e+09
+ *                      to 1e+09. rad g -> l: range -3.14159 to 3.14159. m in b: range -50 to 50. m
+ *                      in b: range -50 to 50.
  * @param[in]   y_step  Elements from one epoch of y to the next; 0 for the same.
  * @param[out]  value   As in one call, epoch after epoch, by row: [epochs x 25].
  * @param[out]  status  Status of every epoch, one byte each.

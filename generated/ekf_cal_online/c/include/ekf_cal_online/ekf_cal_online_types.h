@@ -46,15 +46,15 @@ typedef enum {
 /**
  * Storage of the state vector x: first element and size of every block.
  *
- * - position (vector): ; range -1e+06 to 1e+06. additive, true minus estimate
- * - velocity (vector): ; range -1e+09 to 1e+09. additive, true minus estimate
- * - acceleration (vector): ; range -1e+09 to 1e+09. additive, true minus estimate
- * - attitude (rotation): ; unit quaternion, order w x y z, q.q = 1 within 1e-05. R Exp(d)
- * - angular_rate (vector): ; range -1e+09 to 1e+09. additive, true minus estimate
- * - angular_acceleration (vector): ; range -1e+09 to 1e+09. additive, true minus estimate
- * - heading (heading): ; range -3.14159 to 3.14159. additive, wrapped to (-pi, pi]
- * - antenna_1 (vector): ; range -50 to 50. additive, true minus estimate
- * - antenna_2 (vector): ; range -50 to 50. additive, true minus estimate
+ * - position (vector): range -1e+06 to 1e+06. additive, true minus estimate
+ * - velocity (vector): range -1e+09 to 1e+09. additive, true minus estimate
+ * - acceleration (vector): range -1e+09 to 1e+09. additive, true minus estimate
+ * - attitude (rotation): unit quaternion, order w x y z, q.q = 1 within 1e-05. R Exp(d)
+ * - angular_rate (vector): range -1e+09 to 1e+09. additive, true minus estimate
+ * - angular_acceleration (vector): range -1e+09 to 1e+09. additive, true minus estimate
+ * - heading (heading): range -3.14159 to 3.14159. additive, wrapped to (-pi, pi]
+ * - antenna_1 (vector): range -50 to 50. additive, true minus estimate
+ * - antenna_2 (vector): range -50 to 50. additive, true minus estimate
  */
 enum {
     EKF_CAL_ONLINE_X_POSITION = 0,  /* x y z, m, l */

@@ -81,9 +81,9 @@ navtk_specific_force_status_t navtk_specific_force_retract_batch(
  * Outputs are written only when the status is OK. Inputs and outputs must not overlap. Reentrant.
  *
  * @param[in]   x      State vector; its blocks, units and ranges stand in the header of the types.
- * @param[in]   y      [16] m in n: ; range -1e+09 to 1e+09. m/s in n: ; range -1e+09 to 1e+09. s ->
- *                     n: ; unit quaternion, order w x y z, q.q = 1 within 1e-05. m/s^2 in s: ;
- *                     range -1 to 1. rad/s in s: ; range -0.1 to 0.1.
+ * @param[in]   y      [16] m in n: range -1e+09 to 1e+09. m/s in n: range -1e+09 to 1e+09. s -> n:
+ *                     unit quaternion, order w x y z, q.q = 1 within 1e-05. m/s^2 in s: range -1 to
+ *                     1. rad/s in s: range -0.1 to 0.1.
  * @param[out]  value  [15] Value of the equation.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
  *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
@@ -103,9 +103,9 @@ navtk_specific_force_status_t navtk_specific_force_local(
  * @param[in]   epochs  Number of epochs.
  * @param[in]   x       State vector; its blocks, units and ranges stand in the header of the types.
  * @param[in]   x_step  Elements from one epoch of x to the next; 0 for the same.
- * @param[in]   y       [16] m in n: ; range -1e+09 to 1e+09. m/s in n: ; range -1e+09 to 1e+09. s
- *                      -> n: ; unit quaternion, order w x y z, q.q = 1 within 1e-05. m/s^2 in s: ;
- *                      range -1 to 1. rad/s in s: ; range -0.1 to 0.1.
+ * @param[in]   y       [16] m in n: range -1e+09 to 1e+09. m/s in n: range -1e+09 to 1e+09. s -> n:
+ *                      unit quaternion, order w x y z, q.q = 1 within 1e-05. m/s^2 in s: range -1
+ *                      to 1. rad/s in s: range -0.1 to 0.1.
  * @param[in]   y_step  Elements from one epoch of y to the next; 0 for the same.
  * @param[out]  value   As in one call, epoch after epoch, by row: [epochs x 15].
  * @param[out]  status  Status of every epoch, one byte each.

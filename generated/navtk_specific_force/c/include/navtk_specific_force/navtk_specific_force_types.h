@@ -47,11 +47,11 @@ typedef enum {
 /**
  * Storage of the state vector x: first element and size of every block.
  *
- * - position (vector): ; range -1e+09 to 1e+09. additive, true minus estimate
- * - velocity (vector): ; range -1e+09 to 1e+09. additive, true minus estimate
- * - attitude (rotation): ; unit quaternion, order w x y z, q.q = 1 within 1e-05. Exp(-d) R
- * - accelerometer_bias (vector): ; range -1 to 1. additive, true minus estimate
- * - gyro_bias (vector): ; range -0.1 to 0.1. additive, true minus estimate
+ * - position (vector): range -1e+09 to 1e+09. additive, true minus estimate
+ * - velocity (vector): range -1e+09 to 1e+09. additive, true minus estimate
+ * - attitude (rotation): unit quaternion, order w x y z, q.q = 1 within 1e-05. Exp(-d) R
+ * - accelerometer_bias (vector): range -1 to 1. additive, true minus estimate
+ * - gyro_bias (vector): range -0.1 to 0.1. additive, true minus estimate
  */
 enum {
     NAVTK_SPECIFIC_FORCE_X_POSITION = 0,  /* x y z, m, n */

@@ -85,11 +85,10 @@ rover_status_t rover_retract_batch(
  * Outputs are written only when the status is OK. Inputs and outputs must not overlap. Reentrant.
  *
  * @param[in]   x      State vector; its blocks, units and ranges stand in the header of the types.
- * @param[in]   y      [22] m in n: ; range -100000 to 100000. m/s in n: ; range -1e+09 to 1e+09. b
- *                     -> n: ; unit quaternion, order w x y z, q.q = 1 within 1e-05. m/s^2 in b: ;
- *                     range -1 to 1. rad/s in b: ; range -0.1 to 0.1. m in b: ; range -10 to 10. m:
- *                     ; range -1e+06 to 1e+06. m: ; range -1e+06 to 1e+06. m/s: ; range -1e+09 to
- *                     1e+09.
+ * @param[in]   y      [22] m in n: range -100000 to 100000. m/s in n: range -1e+09 to 1e+09. b ->
+ *                     n: unit quaternion, order w x y z, q.q = 1 within 1e-05. m/s^2 in b: range -1
+ *                     to 1. rad/s in b: range -0.1 to 0.1. m in b: range -10 to 10. m: range -1e+06
+ *                     to 1e+06. m: range -1e+06 to 1e+06. m/s: range -1e+09 to 1e+09.
  * @param[out]  value  [21] Value of the equation.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
  *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
@@ -108,11 +107,10 @@ rover_status_t rover_local(
  * @param[in]   epochs  Number of epochs.
  * @param[in]   x       State vector; its blocks, units and ranges stand in the header of the types.
  * @param[in]   x_step  Elements from one epoch of x to the next; 0 for the same.
- * @param[in]   y       [22] m in n: ; range -100000 to 100000. m/s in n: ; range -1e+09 to 1e+09. b
- *                      -> n: ; unit quaternion, order w x y z, q.q = 1 within 1e-05. m/s^2 in b: ;
- *                      range -1 to 1. rad/s in b: ; range -0.1 to 0.1. m in b: ; range -10 to 10.
- *                      m: ; range -1e+06 to 1e+06. m: ; range -1e+06 to 1e+06. m/s: ; range -1e+09
- *                      to 1e+09.
+ * @param[in]   y       [22] m in n: range -100000 to 100000. m/s in n: range -1e+09 to 1e+09. b ->
+ *                      n: unit quaternion, order w x y z, q.q = 1 within 1e-05. m/s^2 in b: range
+ *                      -1 to 1. rad/s in b: range -0.1 to 0.1. m in b: range -10 to 10. m: range
+ *                      -1e+06 to 1e+06. m: range -1e+06 to 1e+06. m/s: range -1e+09 to 1e+09.
  * @param[in]   y_step  Elements from one epoch of y to the next; 0 for the same.
  * @param[out]  value   As in one call, epoch after epoch, by row: [epochs x 21].
  * @param[out]  status  Status of every epoch, one byte each.

@@ -45,15 +45,15 @@ typedef enum {
 /**
  * Storage of the state vector x: first element and size of every block.
  *
- * - position (vector): ; range -100000 to 100000. additive, true minus estimate
- * - velocity (vector): ; range -1e+09 to 1e+09. additive, true minus estimate
- * - attitude (rotation): ; unit quaternion, order w x y z, q.q = 1 within 1e-05. R Exp(d)
- * - accelerometer_bias (vector): ; range -1 to 1. additive, true minus estimate
- * - gyro_bias (vector): ; range -0.1 to 0.1. additive, true minus estimate
- * - antenna (vector): ; range -10 to 10. additive, true minus estimate
- * - b_gps (scalar): ; range -1e+06 to 1e+06. additive, true minus estimate
- * - b_galileo (scalar): ; range -1e+06 to 1e+06. additive, true minus estimate
- * - drift (scalar): ; range -1e+09 to 1e+09. additive, true minus estimate
+ * - position (vector): range -100000 to 100000. additive, true minus estimate
+ * - velocity (vector): range -1e+09 to 1e+09. additive, true minus estimate
+ * - attitude (rotation): unit quaternion, order w x y z, q.q = 1 within 1e-05. R Exp(d)
+ * - accelerometer_bias (vector): range -1 to 1. additive, true minus estimate
+ * - gyro_bias (vector): range -0.1 to 0.1. additive, true minus estimate
+ * - antenna (vector): range -10 to 10. additive, true minus estimate
+ * - b_gps (scalar): range -1e+06 to 1e+06. additive, true minus estimate
+ * - b_galileo (scalar): range -1e+06 to 1e+06. additive, true minus estimate
+ * - drift (scalar): range -1e+09 to 1e+09. additive, true minus estimate
  */
 enum {
     ROVER_X_POSITION = 0,  /* x y z, m, n */

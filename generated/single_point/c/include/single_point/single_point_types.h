@@ -46,8 +46,8 @@ typedef enum {
 /**
  * Storage of the state vector x: first element and size of every block.
  *
- * - position (vector): ; range -1e+07 to 1e+07. additive, true minus estimate
- * - clock_bias (scalar): ; range -1e+08 to 1e+08. additive, true minus estimate
+ * - position (vector): range -1e+07 to 1e+07. additive, true minus estimate
+ * - clock_bias (scalar): range -1e+08 to 1e+08. additive, true minus estimate
  */
 enum {
     SINGLE_POINT_X_POSITION = 0,  /* x y z, m, e */

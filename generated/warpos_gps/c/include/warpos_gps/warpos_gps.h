@@ -73,8 +73,8 @@ warpos_gps_status_t warpos_gps_retract_batch(
  * Outputs are written only when the status is OK. Inputs and outputs must not overlap. Reentrant.
  *
  * @param[in]   x      State vector; its blocks, units and ranges stand in the header of the types.
- * @param[in]   y      [15] ; range -1e+09 to 1e+09. m in f: ; range -1e+09 to 1e+09. ; range -1e+09
- *                     to 1e+09.
+ * @param[in]   y      [15] range -1e+09 to 1e+09. m in f: range -1e+09 to 1e+09. range -1e+09 to
+ *                     1e+09.
  * @param[out]  value  [15] Value of the equation.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
  *         outside its declared range).
@@ -92,8 +92,8 @@ warpos_gps_status_t warpos_gps_local(
  * @param[in]   epochs  Number of epochs.
  * @param[in]   x       State vector; its blocks, units and ranges stand in the header of the types.
  * @param[in]   x_step  Elements from one epoch of x to the next; 0 for the same.
- * @param[in]   y       [15] ; range -1e+09 to 1e+09. m in f: ; range -1e+09 to 1e+09. ; range
- *                      -1e+09 to 1e+09.
+ * @param[in]   y       [15] range -1e+09 to 1e+09. m in f: range -1e+09 to 1e+09. range -1e+09 to
+ *                      1e+09.
  * @param[in]   y_step  Elements from one epoch of y to the next; 0 for the same.
  * @param[out]  value   As in one call, epoch after epoch, by row: [epochs x 15].
  * @param[out]  status  Status of every epoch, one byte each.

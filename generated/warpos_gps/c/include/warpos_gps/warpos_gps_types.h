@@ -45,9 +45,9 @@ typedef enum {
 /**
  * Storage of the state vector x: first element and size of every block.
  *
- * - leading (vector): ; range -1e+09 to 1e+09. additive, true minus estimate
- * - position (vector): ; range -1e+09 to 1e+09. additive, true minus estimate
- * - trailing (vector): ; range -1e+09 to 1e+09. additive, true minus estimate
+ * - leading (vector): range -1e+09 to 1e+09. additive, true minus estimate
+ * - position (vector): range -1e+09 to 1e+09. additive, true minus estimate
+ * - trailing (vector): range -1e+09 to 1e+09. additive, true minus estimate
  */
 enum {
     WARPOS_GPS_X_LEADING = 0,  /* 0 1 2 3 */
