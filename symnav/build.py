@@ -184,7 +184,7 @@ def declarations(header: str) -> str:
     """
     marked = [part.partition(_ENDS)[0] for part in header.split(_BEGINS)[1:]]
     text = re.sub(r"/\*.*?\*/", " ", "\n".join(marked) if marked else header, flags=re.DOTALL)
-    text = re.sub(r"\b\w+_RESTRICT\b", "", text)
+    text = re.sub(r"(?<=\[)\w+_RESTRICT\b", "", text)
     text = re.sub(r"\bstatic const (\w+ \w+\[\w+\]) = \{[^}]*\};", r"extern const \1;", text)
     lines = (line.rstrip() for line in text.splitlines())
     return "\n".join(line for line in lines if line.strip()) + "\n"

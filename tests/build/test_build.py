@@ -400,3 +400,9 @@ def test_a_killed_build_leaves_the_package_as_it_was(package: Path, tmp_path: Pa
     )
     assert done.returncode == -signal.SIGKILL
     assert set(package.rglob("*")) == before
+
+
+def test_only_the_mark_of_an_array_is_dropped() -> None:
+    """A state block may be called RESTRICT."""
+    text = "enum {\n    A_X_RESTRICT = 0,\n};\nint f(const double x[A_RESTRICT 3]);\n"
+    assert build.declarations(text) == text.replace("A_RESTRICT ", " ")
