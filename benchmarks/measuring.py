@@ -119,6 +119,8 @@ def compare(
     """Every contestant's first results against 50 digits."""
     truths = [expected(problem, inputs[k]) for k in range(4)]
     for contestant in contestants:
+        if not contestant.order:
+            continue
         found = outputs[contestant.name][:, list(contestant.order)].reshape(len(inputs), -1)
         for (truth, scale), row in zip(truths, found, strict=False):
             worst = np.max(np.abs(row - truth) / scale)
@@ -129,7 +131,7 @@ def compare(
 def operations(contestant: Contestant, folder: Path) -> int | None:
     """Floating-point operations of one call, counted by running it with a counting number."""
     candidate = contestant.candidate
-    if candidate.epochs > 1 or not shutil.which("g++"):
+    if candidate.epochs > 1 or not contestant.order or not shutil.which("g++"):
         return None
     source = folder / f"{candidate.symbol}_counted.cpp"
     source.write_text(

@@ -18,6 +18,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from benchmarks import python_calls
 from benchmarks.contestants import (
     casadi_code,
+    floor_code,
     hand_code,
     symforce_code,
     symnav_code,
@@ -28,7 +29,7 @@ from benchmarks.measuring import Figures, measure, records
 from benchmarks.problems import PROBLEMS, Problem
 from symnav.bench.program import FLAG_SETS
 
-WRITERS = (symnav_code, casadi_code, symforce_code, sympy_code, hand_code)
+WRITERS = (symnav_code, casadi_code, symforce_code, sympy_code, hand_code, floor_code)
 
 
 def main() -> None:

@@ -113,6 +113,7 @@ class Single:
             lanes=self.lanes,
             lanes_macro=f"{symbol.upper()}_LANES",
             block=self._block(),
+            checked=self.kernel.checked,
             routines=self._routines(),
             calls=calls,
             batch=self._batch_context(entries[f"{symbol}_batch"]),
@@ -163,7 +164,11 @@ class Single:
             "locals": self._locals(),
             "load": self._load(names),
             "evaluate": self._evaluate(),
-            "stores": [line for store in stores for line in comments.code(store, depth=3)],
+            "stores": [
+                line
+                for store in stores
+                for line in comments.code(store, depth=3 if self.kernel.checked else 1)
+            ],
         }
 
     def _locals(self) -> list[str]:
