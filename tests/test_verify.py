@@ -66,3 +66,13 @@ class TestCompiler:
         sheet = json.loads(told.stdout)
         assert any("native was not available" in note for note in sheet["notes"])
         assert {row["comparison"].split()[0] for row in sheet["rows"]} == {"numpy"}
+
+
+def test_the_sheet_says_how_many_states_were_judged(verify: Verify) -> None:
+    """By function, in text and in JSON; four edges of one number, and eight others."""
+    sheet = json.loads(verify(SMALL, "--samples", "20", "--json").stdout)
+    assert sheet["judged"] == {"twice": 12}
+    shown = verify(SMALL, "--samples", "20")
+    assert "States judged with 50 digits" in shown.stdout and "twice 12" in shown.stdout
+    told = " ".join(CliRunner().invoke(main, ["verify", "--help"]).stdout.split())
+    assert "With 50 digits, at one state for every edge and at eight others" in told

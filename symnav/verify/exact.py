@@ -13,7 +13,7 @@ from typing import Any
 import sympy as sp
 from mpmath import mp
 
-from symnav.binding import STATE, Source
+from symnav.binding import STATE, Origin, Source
 from symnav.blocks import Block, HeadingBlock, RotationBlock, frame_map
 from symnav.blocks.heading import AXES
 from symnav.derive import Derivation
@@ -115,7 +115,7 @@ class Exact:
 
     def _nominal(self, arguments: Arguments) -> closures.Environment:
         """Every term at the arguments given."""
-        env = self._loads(arguments)
+        env = loaded(self._derivation.origins, arguments)
         for step in self._steps:
             env[step.symbol] = step.value(env)
         return env
@@ -129,7 +129,7 @@ class Exact:
         """
         env = dict(nominal)
         dirty: set[sp.Basic] = set()
-        for symbol, value in self._loads(arguments).items():
+        for symbol, value in loaded(self._derivation.origins, arguments).items():
             if value is not nominal[symbol]:
                 env[symbol] = value
                 dirty.add(symbol)
@@ -137,16 +137,6 @@ class Exact:
             if not step.frozen and not dirty.isdisjoint(step.reads):
                 env[step.symbol] = step.value(env)
                 dirty.add(step.symbol)
-        return env
-
-    def _loads(self, arguments: Arguments) -> closures.Environment:
-        env: closures.Environment = {}
-        for symbol, origin in self._derivation.origins.items():
-            if origin.argument in arguments:
-                index = origin.index
-                if origin.slot is not None:
-                    index += int(arguments[self._derivation.origins[origin.slot].argument][0])
-                env[symbol] = arguments[origin.argument][index]
         return env
 
     def _jacobian(
@@ -259,6 +249,18 @@ class Exact:
             if isinstance(declared.block, (RotationBlock, HeadingBlock)) and name in arguments:
                 found.append((declared.block, arguments[name]))
         return found
+
+
+def loaded(origins: Mapping[sp.Symbol, Origin], arguments: Arguments) -> closures.Environment:
+    """Argument symbols with their numbers; a slot says which element of its block it is."""
+    env: closures.Environment = {}
+    for symbol, origin in origins.items():
+        if origin.argument in arguments:
+            index = origin.index
+            if origin.slot is not None:
+                index += int(arguments[origins[origin.slot].argument][0])
+            env[symbol] = arguments[origin.argument][index]
+    return env
 
 
 def _heading_entries(block: HeadingBlock, angle: Any) -> Vector:
