@@ -82,12 +82,16 @@ def _points(block: Block) -> Iterator[tuple[str, Array]]:
 
 
 def random_error(block: Block, rng: Rng, at: Array) -> Array:
-    """A moderate error of the value ``at``."""
-    bound = 1.0 if block.units[1] == "rad" else 100.0
-    error = rng.uniform(-bound, bound, block.error_size)
-    if isinstance(block, RotationBlock) and block.error == "storage":
-        return error * 0.1
-    return _within_reach(block, at, error)
+    """A moderate error of the value ``at``, seldom beyond the block's range."""
+    error = rng.uniform(-1.0, 1.0, block.error_size)
+    if isinstance(block, RotationBlock):
+        return 0.1 * error if block.error == "storage" else _one_to_one(block, at, error)
+    if block.units[1] == "rad":
+        return error
+    lower, upper = _bounds(block)
+    width = 1e4 if isinstance(block, GeodeticBlock) else upper / 2.0 - lower / 2.0
+    moderate: Array = error * np.minimum(100.0, 0.02 * width)
+    return moderate
 
 
 def error_edges(block: Block) -> tuple[Edge, ...]:
@@ -105,11 +109,17 @@ def error_edges(block: Block) -> tuple[Edge, ...]:
     return tuple(found)
 
 
-def _within_reach(block: Block, at: Array, error: Array) -> Array:
-    """The error shortened to where retracting is one to one."""
-    if isinstance(block, RotationBlock) and block.error == "rotation_vector":
-        return error * 0.1
-    return error
+def _one_to_one(block: RotationBlock, at: Array, error: Array) -> Array:
+    """The error shortened so that it is also the one that leads back.
+
+    Rotation vectors that are added stay below half a turn together: |Log(R)| + |d| < pi.
+    """
+    if block.error != "rotation_vector":
+        return error
+    scalar = at[0] if block.storage == "wxyz" else at[3]
+    room = np.pi - 2.0 * np.arccos(min(abs(scalar), 1.0))
+    shortened: Array = error * min(1.0, 0.5 * room / np.linalg.norm(error))
+    return shortened
 
 
 def _half_turn(rng: Rng, _at: Array) -> Array:

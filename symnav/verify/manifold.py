@@ -73,11 +73,18 @@ def _inverse_rows(spec: Spec, name: str, arguments: Mapping[str, Array], back: A
                 worst.absolute,
                 worst.unit,
                 worst.samples,
-                f"  State.local(x, State.retract(x, d)) at x={x[worst.index].tolist()!r}, "
-                f"d={d[worst.index].tolist()!r}",
+                _reproduction(x, d, worst.index),
             )
         )
     return rows
+
+
+def _reproduction(x: Array, d: Array, index: int) -> str:
+    if index < 0:
+        return "  no state and error inside the declared ranges stayed inside them"
+    return (
+        f"  State.local(x, State.retract(x, d)) at x={x[index].tolist()!r}, d={d[index].tolist()!r}"
+    )
 
 
 def _retract_rows(
