@@ -41,6 +41,14 @@ class Worst:
 
 
 def differences(got: Array, truth: Sequence[Any]) -> Array:
-    """What was computed less the truth, formed with all digits of the truth."""
-    flat = [float(mp.mpf(float(a)) - b) for a, b in zip(got.ravel(), truth, strict=True)]
+    """What was computed less the truth, formed with all digits of the truth.
+
+    Where the truth is no real number, neither is the difference.
+    """
+    flat = [_difference(float(a), b) for a, b in zip(got.ravel(), truth, strict=True)]
     return np.array(flat).reshape(got.shape)
+
+
+def _difference(got: float, truth: Any) -> float:
+    difference = mp.mpf(got) - truth
+    return float(difference.real) if difference.imag == 0 else float("nan")

@@ -26,8 +26,10 @@ DIGITS = 50
 #: Differences are formed with more digits, so that truncation and rounding stay below 1e-45.
 DIFFERENCE_DIGITS = 80
 STEP = mp.mpf(10) ** -25
-#: A difference smaller than this part of its operands is their rounding: the derivative is zero.
-CANCELLED = mp.mpf(10) ** -70
+#: Largest argument for which those digits are enough; beyond it come as many as it is larger.
+LARGEST = 1e10
+#: Digits that a difference of two results may have to itself: all but these are their rounding.
+SPARE_DIGITS = 10
 
 Arguments = Mapping[str, Sequence[Any]]
 
@@ -85,7 +87,7 @@ class Exact:
             elements by output name, Jacobians row-major.
         """
         results = self.values(arguments)
-        with mp.workdps(DIFFERENCE_DIGITS):
+        with mp.workdps(_difference_digits(arguments)):
             results |= self._derived(self._on_manifold(arguments))
         return results
 
@@ -286,9 +288,19 @@ def _sandwich(columns: Sequence[Vector], covariance: Vector) -> Vector:
     ]
 
 
+def _difference_digits(arguments: Arguments) -> int:
+    """Digits with which a step beside the largest argument is still seen."""
+    largest = max(abs(e) for x in arguments.values() for e in x)
+    if largest <= LARGEST:
+        return DIFFERENCE_DIGITS
+    return DIFFERENCE_DIGITS + int(mp.ceil(mp.log10(largest / LARGEST)))
+
+
 def _quotient(ahead: Any, behind: Any) -> Any:
+    """The slope; zero where the difference is nothing but rounding."""
     difference = ahead - behind
-    if abs(difference) < CANCELLED * (abs(ahead) + abs(behind)):
+    rounding = mp.mpf(10) ** (SPARE_DIGITS - mp.dps)
+    if abs(difference) < rounding * (abs(ahead) + abs(behind)):
         return mp.mpf(0)
     return difference / (2 * STEP)
 

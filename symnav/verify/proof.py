@@ -20,7 +20,7 @@ from symnav.spec.records import Spec
 from symnav.verify.comparison import Array, Indices, Worst, differences
 from symnav.verify.exact import DIGITS, Exact
 from symnav.verify.manifold import prove_layout
-from symnav.verify.references import quantities
+from symnav.verify.references import References, quantities
 from symnav.verify.sampling import Samples, draw
 from symnav.verify.scale import ScaleOf, Scales
 from symnav.verify.sheet import LIMITS, Finding, ProofSheet, Row, roundings
@@ -30,7 +30,6 @@ DIFFERENCED = 1e-40
 #: What references call the outputs that have another name here.
 _REFERENCE_NAMES = {"value_covariance": "covariance", "jacobian_fix": "noise_map"}
 BACKENDS = ("native", "numpy", "casadi")
-Reference = Callable[[str, Mapping[str, Any], Mapping[str, Any]], Mapping[str, Sequence[Any]]]
 
 
 @dataclass
@@ -42,6 +41,7 @@ class _FunctionProof:
     samples: Samples
     worst: dict[tuple[str, str], Worst] = field(default_factory=dict)
     judged: int = 0
+    notes: list[str] = field(default_factory=list)
 
     def compare(
         self,
@@ -107,7 +107,7 @@ def prove(
     *,
     samples: int,
     seed: int,
-    reference: Reference | None = None,
+    reference: References | None = None,
     progress: Callable[[str], None] = lambda _stage: None,
 ) -> ProofSheet:
     """Run every comparison.
@@ -140,6 +140,7 @@ def prove(
         proof = _FunctionProof(spec, derivation, drawn)
         findings += _prove_function(proof, backends, reference)
         rows += proof.rows()
+        notes += proof.notes
         judged[derivation.name] = proof.judged
     progress("retract and local")
     rows += prove_layout(spec, layout_functions, backends, samples, seed)
@@ -154,7 +155,7 @@ def _backend(package: Any, name: str) -> Any:
 
 
 def _prove_function(
-    proof: _FunctionProof, backends: Mapping[str, Any], reference: Reference | None
+    proof: _FunctionProof, backends: Mapping[str, Any], reference: References | None
 ) -> list[Finding]:
     derivation = proof.derivation
     flat = proof.samples.flat()
@@ -164,14 +165,10 @@ def _prove_function(
         if hasattr(module, derivation.name)
     }
     findings = _statuses(derivation, results)
-    good = np.flatnonzero(results["numpy"].ok)
-    if good.size < max(4, len(results["numpy"].ok) // 4):
-        findings.append(
-            Finding(
-                derivation.name,
-                f"only {good.size} of {len(results['numpy'].ok)} samples are inside the domain",
-            )
-        )
+    good, wanting = _domain(proof, results["numpy"].ok)
+    findings += wanting
+    if not good.size:
+        return findings
     scales = ScaleOf(derivation).outputs({name: a[good] for name, a in flat.items()})
     for output in derivation.outputs:
         if "native" in results:
@@ -181,8 +178,38 @@ def _prove_function(
     proof.judged = len(few)
     _compare_exact(proof, results, scales, good, few)
     if reference is not None and derivation.entry is not None:
+        if not reference.has(derivation.entry.model.name):
+            proof.notes.append(f"{derivation.name}: no reference for {derivation.entry.model.name}")
         _compare_reference(proof, reference, results["numpy"], scales, good, few)
     return findings
+
+
+def _domain(proof: _FunctionProof, ok: NDArray[np.bool_]) -> tuple[Indices, list[Finding]]:
+    """The rows that can be compared, and whether they are too few.
+
+    Without guards the code has no verdict: the terms that they would watch are evaluated here.
+    """
+    derivation = proof.derivation
+    if derivation.entry is not None and not derivation.entry.guarded:
+        inside = ScaleOf(derivation).inside(proof.samples.flat())
+        if not inside.all():
+            proof.notes.append(
+                f"{derivation.name} leaves its guards out: of {ok.size} states inside the declared "
+                f"ranges {np.count_nonzero(~inside)} are outside the domain of the equation, where "
+                "nothing is proven; its caller has to keep away from them"
+            )
+        ok = ok & inside
+    good = np.flatnonzero(ok)
+    if not good.size:
+        message = (
+            f"no state inside the declared ranges could be evaluated: all {ok.size} of them are "
+            "outside the domain of the equation; change the ranges or the equation"
+        )
+        return good, [Finding(derivation.name, message)]
+    if good.size < max(4, ok.size // 4):
+        message = f"only {good.size} of {ok.size} samples are inside the domain"
+        return good, [Finding(derivation.name, message)]
+    return good, []
 
 
 @dataclass
@@ -276,7 +303,7 @@ def _compare_exact(
 
 def _compare_reference(
     proof: _FunctionProof,
-    reference: Reference,
+    reference: References,
     result: _Evaluated,
     scales: Mapping[str, Scales],
     good: Indices,
