@@ -7,13 +7,21 @@ derivatives are wanted.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import sympy as sp
 
 from symnav import units
-from symnav.blocks import Block, GeodeticBlock, HeadingBlock, RotationBlock, Value, frame_map
+from symnav.blocks import (
+    Block,
+    GeodeticBlock,
+    HeadingBlock,
+    RotationBlock,
+    Value,
+    connecting,
+    frame_map,
+)
 from symnav.equations.bound import Bound
 from symnav.errors import EquationError
 from symnav.frames.rotations import homogeneous_entries
@@ -144,39 +152,38 @@ class Arguments:
     def selected(self, name: str, binding: BySystem) -> Quantity:
         """The scalar of the item's satellite system: sum of [system = k] b_k."""
         code = self.integer(binding.selector)
-        terms, unit = [], None
+        terms: list[sp.Expr] = []
+        found: set[units.Unit] = set()
         for k, (system, choice) in enumerate(binding.choices):
             value = self.state(choice.block) if isinstance(choice, ToState) else (
                 self.input(choice.name)
             )  # fmt: skip
             assert isinstance(value, Quantity)
-            unit = value.unit
+            found.add(value.unit)
             indicator = sp.Piecewise((sp.Integer(1), sp.Eq(code, k)), (sp.Integer(0), True))
             (weight,) = self.graph.define(f"is_{system}", [indicator])
             terms.append(weight * value.elements[0])
-        assert unit is not None
-        return Quantity(self.graph, self.graph.let(name, [sp.Add(*terms)]), unit)
+        if len(found) != 1:
+            listed = " and ".join(sorted(map(str, found)))
+            raise EquationError(f"the systems of {name} are in {listed}; one unit is needed")
+        return Quantity(self.graph, self.graph.let(name, [sp.Add(*terms)]), found.pop())
 
     def matrix_between(self, source: str, target: str) -> Row:
         """Nine entries of the rotation from ``source`` to ``target`` (``blocks.Nominal``)."""
-        for rotation in self._rotations(source, target):
-            if rotation.source == source:
-                return rotation.matrix
-            m = rotation.matrix
-            return tuple(m[3 * j + i] for i in range(3) for j in range(3))
-        raise EquationError(f"no rotation block or input connects frames {source!r} and {target!r}")
-
-    def _rotations(self, source: str, target: str) -> Iterable[Rotation]:
-        ends = {source, target}
-        for value in self._values.values():
-            if isinstance(value, Rotation) and {value.source, value.target} == ends:
-                yield value
-        for block in self.spec.layout.blocks:
-            if _connects(block, ends):
-                yield _as_rotation(self.state(block.name, active=False))
-        for name, declared in self.spec.inputs.items():
-            if _connects(declared.block, ends):
-                yield _as_rotation(self.input(name))
+        layout, inputs = self.spec.layout, self.spec.inputs
+        shared = [given.block for given in inputs.values() if not given.item]
+        found = connecting(layout.blocks, shared, source, target)
+        if len(found) != 1:
+            count = "several rotations connect" if found else "no rotation block or input connects"
+            raise EquationError(f"{count} frames {source!r} and {target!r}")
+        name = found[0].name
+        own = name in layout.places
+        rotation = self.state(name, active=False) if own else self.input(name)
+        assert isinstance(rotation, Rotation)
+        m = rotation.matrix
+        if rotation.source == source:
+            return m
+        return tuple(m[3 * j + i] for i in range(3) for j in range(3))
 
     def _symbols(self, block: Block, argument: str, start: int, *, item: bool) -> Row:
         names = [f"{block.name}_{label}" if label else block.name for label in block.storage_labels]
@@ -284,15 +291,6 @@ def _is_rotation(spec: Spec, entry: Entry, name: str) -> bool:
     if isinstance(binding, ToInput):
         return isinstance(spec.inputs[binding.name].block, (RotationBlock, HeadingBlock))
     return _role_kind(entry, name) == "rotation"
-
-
-def _connects(block: Block, ends: set[str]) -> bool:
-    return isinstance(block, (RotationBlock, HeadingBlock)) and set(frame_map(block.maps)) == ends
-
-
-def _as_rotation(value: Value) -> Rotation:
-    assert isinstance(value, Rotation)
-    return value
 
 
 __all__ = ["STATE", "Arguments", "BoundEntry", "Origin", "Source", "bind"]

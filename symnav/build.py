@@ -14,6 +14,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+import platform
 import re
 import shlex
 import shutil
@@ -23,7 +24,6 @@ import sysconfig
 import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -58,6 +58,10 @@ UNFUSED_FLAGS: Mapping[str, str] = {
     "-mno-avx512f": "which has fused instructions of its own; costs up to a fifth where it exists",
 }
 """Added with ``-march=native`` on x86, so that results stay the same bits there as well."""
+
+DISPATCH_FLAG = "-DSYMNAV_DISPATCH"
+"""Added without ``-march=native`` where gcc and the GNU C library can: loops for AVX2 beside those
+for every processor, chosen when the extension is loaded. The same bits either way."""
 
 WINDOWS_FLAGS: Mapping[str, str] = {
     "/O2": "optimises for speed",
@@ -147,7 +151,8 @@ def build(package: Path, *, native: bool = False, log: Log | None = None) -> Bui
     if not extensions:
         raise BuildError(f"{package} holds no C to compile; generate the package first")
     compiler = find_compiler()
-    flags = [*(WINDOWS_FLAGS if _WINDOWS else FLAGS), *(_native_flags(compiler) if native else ())]
+    flags = [*(WINDOWS_FLAGS if _WINDOWS else FLAGS)]
+    flags += _native_flags(compiler) if native else _dispatch_flags(compiler)
     digests = {
         path.relative_to(package).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest()
         for path in _inputs(package)
@@ -179,7 +184,7 @@ def declarations(header: str) -> str:
     """
     marked = [part.partition(_ENDS)[0] for part in header.split(_BEGINS)[1:]]
     text = re.sub(r"/\*.*?\*/", " ", "\n".join(marked) if marked else header, flags=re.DOTALL)
-    text = re.sub(r"\b\w+_RESTRICT\b", "", text)
+    text = re.sub(r"(?<=\[)\w+_RESTRICT\b", "", text)
     text = re.sub(r"\bstatic const (\w+ \w+\[\w+\]) = \{[^}]*\};", r"extern const \1;", text)
     lines = (line.rstrip() for line in text.splitlines())
     return "\n".join(line for line in lines if line.strip()) + "\n"
@@ -269,6 +274,14 @@ def _native_flags(compiler: Compiler) -> list[str]:
     return [NATIVE_FLAG, *(UNFUSED_FLAGS if is_x86 else ())]
 
 
+def _dispatch_flags(compiler: Compiler) -> list[str]:
+    """Flags for code that carries loops for several processors."""
+    if _WINDOWS or platform.libc_ver()[0] != "glibc":
+        return []
+    name, _, machine = compiler.identity.rpartition(", ")
+    return [DISPATCH_FLAG] if machine.startswith("x86_64") and "clang" not in name else []
+
+
 def _machine(compiler: Compiler) -> str:
     """What the compiler knows about this processor."""
     command = [*compiler.command, NATIVE_FLAG, "-dM", "-E", "-x", "c", os.devnull]
@@ -290,10 +303,10 @@ def _provide(
         tell(f"{place.name} from the cache")
         return False
     tell(f"compiling {place.name} with {compiler.identity}")
-    with _workshop(extension.package) as folder:
-        made = _compile(extension, name, compiler, flags, folder)
-        content = made.read_bytes()
-        os.replace(made, place)
+    # Outside the package: a build that is killed leaves nothing in it.
+    with tempfile.TemporaryDirectory(prefix="symnav-build-", ignore_cleanup_errors=True) as folder:
+        content = _compile(extension, name, compiler, flags, Path(folder)).read_bytes()
+    _replace(place, content)
     _keep(kept, content, tell)
     return True
 
@@ -307,22 +320,11 @@ def _keep(kept: Path, content: bytes, tell: Log) -> None:
         tell(f"not cached: {error}")
 
 
-@contextmanager
-def _workshop(package: Path) -> Iterator[Path]:
-    """A temporary directory beside the result, so that moving it is atomic."""
-    folder = Path(tempfile.mkdtemp(prefix="_build-", dir=package))
-    try:
-        yield folder
-    finally:
-        shutil.rmtree(folder, ignore_errors=True)
-
-
 def _compile(
     extension: _Extension, name: str, compiler: Compiler, flags: Sequence[str], folder: Path
 ) -> Path:
     """Compile an extension in a folder of its own."""
-    wrapper = cffi.FFI()
-    wrapper.cdef(extension.declarations)
+    wrapper = _declared(extension)
     if _WINDOWS:
         return compile_with_setuptools(wrapper, name, extension.preamble, extension, flags, folder)
     python = Path(sysconfig.get_path("include"))
@@ -345,6 +347,22 @@ def _compile(
         [*compiler.command, *shared, "-o", str(made), *map(str, objects), "-lm"], extension.package
     )
     return made
+
+
+def _declared(extension: _Extension) -> cffi.FFI:
+    """The declarations of the headers, as cffi reads them."""
+    wrapper = cffi.FFI()
+    try:
+        wrapper.cdef(extension.declarations)
+    except (cffi.CDefError, cffi.FFIError) as error:
+        log = extension.package / "_build.log"
+        log.write_text(f"{error}\n\n{extension.declarations}", encoding="utf-8")
+        first = str(error).partition("\n")[0]
+        raise BuildError(
+            f"cffi cannot read the declarations of {extension.include}: {first}; generate the "
+            f"package again, under other names where one clashes; all that was read is in {log}"
+        ) from error
+    return wrapper
 
 
 def _flags_of(source: Path, flags: Sequence[str]) -> list[str]:
@@ -411,7 +429,7 @@ def _refusal(package: Path, output: str) -> BuildError:
 
 def _replace(place: Path, content: bytes) -> None:
     """Write a file so that nobody ever sees half of it."""
-    handle, temporary = tempfile.mkstemp(prefix="_build-", dir=place.parent)
+    handle, temporary = tempfile.mkstemp(prefix=".build-", dir=place.parent)
     with os.fdopen(handle, "wb") as file:
         file.write(content)
     os.chmod(temporary, 0o644)

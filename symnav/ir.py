@@ -160,7 +160,7 @@ class Domain:
         name: the state block or the input.
         start: first element.
         size: number of elements.
-        kind: REAL (range check), QUATERNION (4, unit norm), MATRIX (9, row-major, orthonormal)
+        kind: REAL (range check), QUATERNION (4, unit norm), MATRIX (9, row-major, a rotation)
             INTEGER (range check; passed to C as ``int32_t``), or UNREAD: the function reads no
             element of it, so a bad value there is none of its business.
         lower: one bound per element.

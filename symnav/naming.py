@@ -57,12 +57,51 @@ MATH_NAMES = frozenset(
 ) | _words(
     """
     signgam fpclassify isfinite isnormal signbit isgreater isgreaterequal isless islessequal
-    islessgreater isunordered HUGE_VAL INFINITY NAN FP_NAN float_t double_t math_errhandling
+    islessgreater isunordered HUGE_VAL HUGE_VALF HUGE_VALL INFINITY NAN float_t double_t
+    FP_NAN FP_INFINITE FP_NORMAL FP_SUBNORMAL FP_ZERO FP_ILOGB0 FP_ILOGBNAN MAXFLOAT
+    math_errhandling MATH_ERRNO MATH_ERREXCEPT
+    M_E M_LOG2E M_LOG10E M_LN2 M_LN10 M_PI M_PI_2 M_PI_4 M_1_PI M_2_PI M_2_SQRTPI M_SQRT2 M_SQRT1_2
     """
 )
 
 #: Macros and names that headers or compilers put in every C file.
 C_MACROS = _words("NULL EOF errno assert offsetof complex imaginary I linux unix noreturn abs div")
+
+_WIDTHS = ("8", "16", "32", "64", "_LEAST8", "_LEAST16", "_LEAST32", "_LEAST64", "_FAST8",
+           "_FAST16", "_FAST32", "_FAST64", "MAX", "PTR")  # fmt: skip
+
+#: Types and limits of stdint.h, stddef.h and float.h. Generated C or Python.h includes them, so
+#: inside the C a user's name that is one of them becomes another.
+STANDARD_NAMES = frozenset(
+    name
+    for width in _WIDTHS
+    for sign in ("", "u")
+    for name in (
+        f"{sign}int{width}_t".lower(),
+        *(f"{sign}INT{width}_{end}".upper() for end in ("MAX", "MIN", "WIDTH")),
+    )
+) | _words(
+    """
+    size_t ptrdiff_t max_align_t SIZE_MAX PTRDIFF_MAX PTRDIFF_MIN WCHAR_MAX WCHAR_MIN WINT_MAX
+    WINT_MIN SIG_ATOMIC_MAX SIG_ATOMIC_MIN FLT_RADIX FLT_ROUNDS FLT_EVAL_METHOD DECIMAL_DIG
+    """
+) | frozenset(
+    f"{kind}_{limit}"
+    for kind in ("FLT", "DBL", "LDBL")
+    for limit in (
+        "MAX", "MIN", "EPSILON", "DIG", "MANT_DIG", "MAX_EXP", "MIN_EXP", "MAX_10_EXP",
+        "MIN_10_EXP", "TRUE_MIN", "DECIMAL_DIG", "HAS_SUBNORM",
+    )
+)  # fmt: skip
+
+#: Helpers and types that the files of the generated C share; likewise.
+HELPER_NAMES = _words(
+    """
+    flag_t first_failure is_beyond is_centred is_equal is_index_outside is_outside
+    is_skewed_matrix is_skewed_quaternion is_within larger_of smaller_of take_centred take_index
+    take_value
+    """
+)
 
 #: Arguments and outputs of generated functions.
 ARGUMENT_NAMES = _words(
@@ -83,16 +122,26 @@ STATE_ATTRIBUTES = _words(
 #: Modules, classes, files and enumerations of a generated package.
 FUNCTION_NAMES = _words(
     """
-    State BACKEND GuardError Status numpy native native_f32 casadi c retract local types check state
-    status
-    real version manifest
+    State StateBlocks BACKEND GuardError Status numpy native native_f32 casadi c retract local types
+    check state status real version manifest status_t real_t
     """
 )
 
-#: Suffixes of the entry points made from one function.
+#: What CasADi's generator adds to the C of every package, beside numbered helpers.
+CASADI_NAMES = _words("sq sign casadi_version casadi_int_size casadi_real_size")
+_CASADI_NUMBERED = re.compile(r"[cfs]\d+", re.IGNORECASE)
+
+#: Packages whose enumerators and macros are those of the system's or Python's headers: R_OK ...
+_SYSTEM_PACKAGES = _words("f r w x")
+_SYSTEM_PREFIXES = ("have_", "py_", "pyctype_", "pymacconfig_")
+
+#: Suffixes of the entry points made from one function, the last ones by CasADi's generator.
 FUNCTION_SUFFIXES = (
     "value", "jacobian", "nz", "batch", "sd", "difference_matrix", "difference_covariance",
     "kernel", "jacobian_rows", "jacobian_columns",
+    "alloc_mem", "init_mem", "free_mem", "checkout", "release", "incref", "decref", "n_in",
+    "n_out", "name_in", "name_out", "default_in", "sparsity_in", "sparsity_out", "work",
+    "work_bytes",
 )  # fmt: skip
 
 #: Words of the specification that stand where a name could stand.
@@ -171,6 +220,27 @@ def _word_fault(name: str, use: Use) -> str | None:
     folded = {word.lower() for word in _GENERATED[use]}
     if name.lower() in folded or (use is Use.INPUT and name.startswith("jacobian_")):
         return f"{name!r} is a name that the generated code gives itself; choose another name"
+    if use is Use.FUNCTION:
+        return _function_fault(name)
+    return _package_fault(name) if use is Use.PACKAGE else None
+
+
+def _function_fault(name: str) -> str | None:
+    if f"{name}_".lower().startswith("f32_"):
+        return f"{name!r} leads the names of the single-precision C; choose another name"
+    if name.lower() in CASADI_NAMES or _CASADI_NUMBERED.fullmatch(name):
+        return f"{name!r} is a name of CasADi's helpers in the generated C; choose another name"
+    return None
+
+
+def _package_fault(name: str) -> str | None:
+    """Why the macros that a package's name leads would be those of other headers."""
+    if name.lower() in _SYSTEM_PACKAGES:
+        return f"{name!r} gives {macro(name, 'ok')}, a macro of unistd.h; choose another name"
+    if f"{name}_".lower().startswith(_SYSTEM_PREFIXES):
+        return f"{name!r} leads macros of Python's own headers; choose another name"
+    if name.isupper():
+        return f"{name!r} is upper case, which C keeps for macros; use lower case"
     return None
 
 

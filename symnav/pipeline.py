@@ -27,6 +27,7 @@ from typing import TYPE_CHECKING, TypeVar
 from symnav.errors import InputError
 
 if TYPE_CHECKING:
+    from symnav import ir
     from symnav.build import BuildResult
     from symnav.derive import Derivation
     from symnav.emit.manifest import CheckReport
@@ -60,10 +61,10 @@ class Generated:
 
 @dataclass(frozen=True)
 class Derived:
-    """The derivations of a spec: its entries, and retract and local."""
+    """The derivations of a spec: its entries, and retract and local where there is a state."""
 
     entries: tuple[Derivation, ...]
-    layout: tuple[Derivation, Derivation]
+    layout: tuple[Derivation, ...]
 
 
 def shipped() -> list[tuple[str, str]]:
@@ -96,14 +97,15 @@ def load(spec: str | Path) -> Spec:
 
 
 def derive(spec: Spec) -> Derived:
-    """Derive every entry of a spec, and retract and local of its layout."""
+    """Derive every entry of a spec, and retract and local of its layout if it has blocks."""
     from symnav import derive as derivation
     from symnav.naming import RESERVED
 
     reserved = RESERVED | spec.inputs.keys()
+    maps = (derivation.derive_retract, derivation.derive_local) if spec.layout.blocks else ()
     return Derived(
         tuple(derivation.derive(spec, entry, reserved) for entry in spec.entries),
-        (derivation.derive_retract(spec, reserved), derivation.derive_local(spec, reserved)),
+        tuple(derive_map(spec, reserved) for derive_map in maps),
     )
 
 
@@ -111,14 +113,11 @@ def emit(spec: Spec, derived: Derived) -> dict[str, str]:
     """Lower by both routes and emit every file of the package except its manifest."""
     from symnav import ir
     from symnav.emit import c, numpy, python
-    from symnav.lower import casadi, casadi_witness, sympy
-    from symnav.lower.module import module, through
-    from symnav.lower.passes.inline import inline
-    from symnav.lower.passes.reciprocals import share_reciprocals
+    from symnav.lower import casadi_witness, sympy
+    from symnav.lower.module import module
 
     everything = (*derived.layout, *derived.entries)
-    lowered = [casadi.lower(spec, derivation) for derivation in everything]
-    c_functions = through(lowered, share_reciprocals, inline)
+    c_functions = c_route(spec, derived)
     numpy_functions = [sympy.lower(spec, derivation) for derivation in everything]
     double = module(spec, c_functions)
     vectorised = module(spec, numpy_functions)
@@ -127,6 +126,18 @@ def emit(spec: Spec, derived: Derived) -> dict[str, str]:
     if single is not None:
         text |= c.emit(single)
     return text | casadi_witness.sources(spec, derived.entries)
+
+
+def c_route(spec: Spec, derived: Derived) -> tuple[ir.Function, ...]:
+    """Every function as its C is written: through CasADi's graph and the passes that follow."""
+    from symnav.lower import casadi
+    from symnav.lower.module import through
+    from symnav.lower.passes.inline import inline
+    from symnav.lower.passes.reciprocals import share_reciprocals
+
+    everything = (*derived.layout, *derived.entries)
+    lowered = [casadi.lower(spec, derivation) for derivation in everything]
+    return through(lowered, share_reciprocals, inline)
 
 
 def generate(

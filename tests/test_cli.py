@@ -19,7 +19,7 @@ from click.testing import CliRunner, Result
 from symnav.cli import main
 from symnav.errors import BuildError, InputError, Problem, SpecError
 
-VERBS = ("new", "generate", "build", "verify", "check", "list", "doctor", "demo")
+VERBS = ("new", "generate", "build", "verify", "bench", "check", "list", "doctor", "demo")
 HEAVY = ("sympy", "casadi", "pydantic", "rich", "numpy", "jinja2", "cffi")
 
 

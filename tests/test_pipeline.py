@@ -10,6 +10,7 @@ import pytest
 
 from symnav import pipeline
 from symnav.errors import HandEditedError, InputError
+from symnav.spec import loads
 from symnav.spec.records import Spec
 
 
@@ -59,10 +60,22 @@ def test_a_manifest_cannot_name_files_elsewhere(spec: Spec, tmp_path: Path) -> N
     manifest = json.loads((package / "manifest.json").read_text())
     manifest["files"]["../precious.txt"] = "0" * 64
     (package / "manifest.json").write_text(json.dumps(manifest))
-    for force in (False, True):
-        with pytest.raises(InputError, match=r"manifest\.json cannot be read"):
-            pipeline.generate(spec, tmp_path, force=force)
+    with pytest.raises(InputError, match=r"manifest\.json cannot be read"):
+        pipeline.generate(spec, tmp_path)
+    pipeline.generate(spec, tmp_path, force=True)
     assert outside.read_text() == "keep"
+
+
+@pytest.mark.parametrize("damaged", ["", "{", "[]", "\x00"])
+def test_force_repairs_a_damaged_manifest(damaged: str, spec: Spec, tmp_path: Path) -> None:
+    """Every other way says that force is the way out."""
+    package = pipeline.generate(spec, tmp_path).package
+    (package / "manifest.json").write_text(damaged)
+    for refused in (lambda: pipeline.generate(spec, tmp_path), lambda: pipeline.check(package)):
+        with pytest.raises(InputError, match="symnav generate --force"):
+            refused()
+    assert pipeline.generate(spec, tmp_path, force=True).written == ("manifest.json",)
+    assert pipeline.check(package, spec).state == "fresh"
 
 
 def test_files_no_longer_generated_are_removed(spec: Spec, tmp_path: Path) -> None:
@@ -84,3 +97,24 @@ def digest_of(path: Path) -> str:
 def test_importing_something_else_says_so(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="not a generated package"):
         pipeline.import_package(tmp_path)
+
+
+STATELESS = {
+    "orbit": "[[measurement]]\nname = 'orbit'\nmodel = 'broadcast_orbit'\n",
+    "square": "[[input]]\nname = 'u'\nkind = 'scalar'\nunit = '1'\nrange = [-3, 3]\n"
+    "[[measurement]]\nname = 'square'\nequation = ['u*u']\njacobians = ['u']\n",
+    "items": "[[input]]\nname = 'u'\nkind = 'scalar'\nunit = '1'\nrange = [-3, 3]\nitem = true\n"
+    "[[measurement]]\nname = 'square'\nequation = ['u*u']\njacobians = ['u']\n"
+    "difference = 'single'\n",
+}
+
+
+@pytest.mark.parametrize("text", STATELESS.values(), ids=STATELESS)
+def test_a_specification_without_a_state(text: str, tmp_path: Path) -> None:
+    """Its functions are generated, built and proven; there is nothing to retract."""
+    spec = loads(f"name = 'alone'\n{text}")
+    sheet = pipeline.verify(spec, samples=20, out=tmp_path)
+    assert sheet.passed, sheet
+    package = pipeline.import_package(tmp_path / "alone")
+    assert not {"State", "retract", "local"} & set(package.__all__)
+    assert "retract" not in "".join(contents(tmp_path / "alone" / "c"))

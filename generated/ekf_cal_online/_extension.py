@@ -76,7 +76,14 @@ def _digests(package: Path) -> dict[str, str]:
 def _load(name: str, path: Path) -> ModuleType:
     spec = spec_from_file_location(name, path, loader=ExtensionFileLoader(name, str(path)))
     assert spec is not None and spec.loader is not None
-    module = module_from_spec(spec)
+    try:
+        module = module_from_spec(spec)
+    except ModuleNotFoundError as error:
+        if error.name != "_cffi_backend":
+            raise
+        raise ImportError(
+            "compiled back ends need the cffi runtime; run: python -m pip install cffi"
+        ) from None
     spec.loader.exec_module(module)
     return module
 

@@ -154,9 +154,18 @@ def _require_lasting(argument: Argument, value: Any, array: Array) -> None:
         )
 
 
-def reference_item(function: str, reference: int, count: int) -> int:
+#: Largest standard deviation whose square does not overflow, as in the C.
+_LARGEST = {np.dtype(np.float64): 1e150, np.dtype(np.float32): 1e18}
+
+
+def reference_item(function: str, reference: Any, count: int) -> int:
     """The reference item of a difference, checked."""
-    number = operator.index(reference)
+    try:
+        number = operator.index(reference)
+    except TypeError:
+        raise TypeError(
+            f"{function}: reference is the index of an item, an integer; got {reference!r}"
+        ) from None
     if not 0 <= number < count:
         raise GuardError(
             Status.INDEX,
@@ -168,28 +177,71 @@ def reference_item(function: str, reference: int, count: int) -> int:
     return number
 
 
-def difference_matrix(count: int, reference: int) -> Array:
-    """The (n - 1) by n matrix that subtracts the reference row and removes it."""
-    chosen = reference_item("difference_matrix", reference, count)
-    matrix = np.delete(np.eye(count), chosen, axis=0)
-    matrix[:, chosen] = -1.0
-    return matrix
+def _check_count(signature: Signature, name: str, count: int) -> None:
+    maximum = signature.maximum
+    if maximum is not None and not 0 <= count <= maximum:
+        raise GuardError(
+            Status.COUNT,
+            f"{signature.name}: COUNT: {name} has n = {count}, the declared maximum is {maximum}",
+            name,
+            value=float(count),
+            bounds=(0.0, float(maximum)),
+        )
 
 
-def difference_covariance(sigma: Any, reference: int) -> Array:
-    """The covariance of single differences of items with independent noise.
+def _check_deviations(signature: Signature, sigma: Array, largest: float) -> None:
+    failed = np.argwhere(~((sigma >= 0.0) & (sigma <= largest)))
+    if signature.guarded and len(failed):
+        index = tuple(int(k) for k in failed[0])
+        value = float(sigma[index])
+        place = "".join(f"[{k}]" for k in index)
+        raise GuardError(
+            Status.RANGE,
+            f"{signature.name}: RANGE: sigma{place} = {value!r} is outside the range "
+            f"[0, {largest:g}]",
+            "sigma",
+            index,
+            value,
+            (0.0, largest),
+        )
 
-    Args:
-        sigma: standard deviations, shape (..., n).
-        reference: the item that is subtracted.
 
-    Returns:
-        Shape (..., n - 1, n - 1): variances plus the reference's variance everywhere.
-    """
-    variances = np.square(np.asarray(sigma, dtype=np.float64))
-    matrix = difference_matrix(variances.shape[-1], reference)
-    covariance: Array = (matrix * variances[..., None, :]) @ matrix.T
-    return covariance
+def _differences(function: Function) -> dict[str, Callable[..., Any]]:
+    """The constant matrix of single differences, and the covariance it makes."""
+    signature, largest = function.signature, _LARGEST[function.real]
+
+    def difference_matrix(count: int, reference: int) -> Array:
+        """The (n - 1) by n matrix that subtracts the reference row and removes it."""
+        _check_count(signature, "count", count)
+        chosen = reference_item(signature.name, reference, count)
+        matrix = np.delete(np.eye(count), chosen, axis=0)
+        matrix[:, chosen] = -1.0
+        return matrix
+
+    def difference_covariance(sigma: Any, reference: int) -> Array:
+        """The covariance of single differences of items with independent noise.
+
+        Args:
+            sigma: standard deviations, shape (..., n).
+            reference: the item that is subtracted.
+
+        Returns:
+            Shape (..., n - 1, n - 1): variances plus the reference's variance everywhere.
+        """
+        deviations = np.asarray(sigma, dtype=np.float64)
+        if not deviations.ndim:
+            raise ValueError(f"{signature.name}: sigma: expected (..., n); got ()")
+        _check_count(signature, "sigma", deviations.shape[-1])
+        matrix = difference_matrix(deviations.shape[-1], reference)
+        _check_deviations(signature, deviations, largest)
+        variances = np.square(deviations)
+        covariance: Array = (matrix * variances[..., None, :]) @ matrix.T
+        return covariance
+
+    return {
+        "difference_matrix": difference_matrix,
+        "difference_covariance": difference_covariance,
+    }
 
 
 def publish(function: Function, module: str, joint: Callable[..., Any] | None = None) -> Any:
@@ -214,9 +266,7 @@ def publish(function: Function, module: str, joint: Callable[..., Any] | None = 
         rows, columns = _indices(output)
         public.__dict__.update({f"{output.name}_rows": rows, f"{output.name}_columns": columns})
     if signature.single_difference:
-        public.__dict__.update(
-            difference_matrix=difference_matrix, difference_covariance=difference_covariance
-        )
+        public.__dict__.update(_differences(function))
     return public
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
@@ -77,8 +78,10 @@ class CompiledFunction(Function):
 
     def bound(self, arrays: Sequence[Array], extent: Extent, out: list[Array]) -> Callable[[], Any]:
         """Pointers made once; what is left of a call is the C and a look at its status."""
-        if extent.batch != () or self.signature.column_major:
+        if self.signature.column_major:
             return super().bound(arrays, extent, out)
+        if extent.batch != ():
+            return self._bound_batch(arrays, extent, out)
         items = self._item_status(extent)
         first, *rest = map(self._pointer, [*arrays, *out, *items])
         run = partial(self._entries[Part.ALL], first, *_numbers(extent), *rest)
@@ -89,6 +92,24 @@ class CompiledFunction(Function):
             status = run()
             if status:
                 return self.result(Evaluation(out, Status(status), item_status), arrays)
+            return done
+
+        return call
+
+    def _bound_batch(
+        self, arrays: Sequence[Array], extent: Extent, out: list[Array]
+    ) -> Callable[[], Any]:
+        """The same for the batch loop, unless an argument must be spread over some axes first."""
+        if not all(_lies_ready(array, rank, extent) for array, rank in self._ranked(arrays)):
+            return super().bound(arrays, extent, out)
+        status, items, inputs = self._batch_inputs(arrays, extent)
+        pointers = map(self._pointer, [*out, status, *items])
+        run = partial(self._batch, status.size, *inputs, *pointers)
+        evaluation = Evaluation(out, status, items[0] if items else None)
+        done = self.result(evaluation, arrays)
+
+        def call() -> Any:
+            run()
             return done
 
         return call
@@ -162,12 +183,7 @@ class CompiledFunction(Function):
             else np.empty(output_shape(output, Part.ALL, extent), dtype=self.real)
             for output in self.signature.outputs
         }
-        status = np.empty(extent.batch, dtype=np.uint8)
-        items = [np.zeros((*extent.batch, number), dtype=np.uint8) for number in _numbers(extent)]
-        inputs: list[Any] = []
-        for array, rank in self._ranked(arrays):
-            memory, step = _stepped(array, rank, extent)
-            inputs += [self._pointer(memory), step, *(_numbers(extent) if not inputs else ())]
+        status, items, inputs = self._batch_inputs(arrays, extent)
         pointers = map(self._pointer, [*whole.values(), status, *items])
         self._batch(status.size, *inputs, *pointers)
         results = [whole[output.name] for output in wanted]
@@ -175,6 +191,18 @@ class CompiledFunction(Function):
             results = self._nonzeros(results, arrays, extent, status, out)
         evaluation = Evaluation(out or results, status, items[0] if items else None)
         return self._voided(evaluation, out)
+
+    def _batch_inputs(
+        self, arrays: Sequence[Array], extent: Extent
+    ) -> tuple[Array, list[Array], list[Any]]:
+        """Room for the status of every epoch and item, and what the batch loop reads."""
+        status = np.empty(extent.batch, dtype=np.uint8)
+        items = [np.zeros((*extent.batch, number), dtype=np.uint8) for number in _numbers(extent)]
+        inputs: list[Any] = []
+        for array, rank in self._ranked(arrays):
+            memory, step = _stepped(array, rank, extent)
+            inputs += [self._pointer(memory), step, *(_numbers(extent) if not inputs else ())]
+        return status, items, inputs
 
     def _nonzeros(
         self,
@@ -206,8 +234,10 @@ class CompiledFunction(Function):
     def _voided(self, evaluation: Evaluation, out: list[Array] | None) -> Evaluation:
         """NaN in new arrays where an epoch failed; arrays that were given stay as they are."""
         status = evaluation.status
+        if out is not None or not status.any():
+            return evaluation
         failed = (status != Status.OK) & (status != Status.PARTIAL)
-        if out is None and failed.any():
+        if failed.any():
             for array in evaluation.outputs:
                 array[failed] = np.nan
         return evaluation
@@ -240,10 +270,18 @@ def _spread(array: Array, rank: int, extent: Extent) -> Array:
     return np.broadcast_to(array, (*extent.batch, *own))
 
 
+def _lies_ready(array: Array, rank: int, extent: Extent) -> bool:
+    """True when the batch loop can read an argument where it lies."""
+    lead = array.shape[: array.ndim - rank]
+    return lead == extent.batch or all(length == 1 for length in lead)
+
+
 def _stepped(array: Array, rank: int, extent: Extent) -> tuple[Array, int]:
     """Memory of an argument and the distance between its epochs, zero when all share one."""
     lead, own = array.shape[: array.ndim - rank], array.shape[array.ndim - rank :]
-    step = int(np.prod(own, dtype=np.int64))
-    if array.size == step and all(length == 1 for length in lead):
+    step = math.prod(own)
+    if lead == extent.batch:
+        return np.ascontiguousarray(array), step
+    if all(length == 1 for length in lead):
         return np.ascontiguousarray(array), 0
     return np.ascontiguousarray(_spread(array, rank, extent)), step

@@ -158,7 +158,7 @@ def _distorted(
     defects = norm_defects(domain.kind, elements)
     if all(defect <= domain.tolerance for defect in defects):
         return None
-    rule = "a unit quaternion" if domain.kind is Kind.QUATERNION else "an orthonormal matrix"
+    rule = "a unit quaternion" if domain.kind is Kind.QUATERNION else "a rotation matrix"
     span = f"[{domain.start}:{domain.start + domain.size}]"
     place = argument.name + "".join(f"[{number}]" for number in item) + span
     meaning = f" ({domain.name})" if domain.name != argument.name else ""
@@ -174,8 +174,9 @@ def _distorted(
 
 
 def norm_defects(kind: Kind, elements: Sequence[Any]) -> list[Any]:
-    """How far a quaternion is from unit norm, or a row-major matrix from orthonormal columns.
+    """How far a quaternion is from unit norm, or a row-major matrix from a rotation.
 
+    Of a rotation matrix the first two columns are orthonormal and the third is their cross product.
     The elements are numbers or arrays, and so are the defects: one for a quaternion, six for a
     matrix, none for anything else.
     """
@@ -184,10 +185,12 @@ def norm_defects(kind: Kind, elements: Sequence[Any]) -> list[Any]:
         return [abs(w * w + x * x + y * y + z * z - 1.0)]
     if kind is not Kind.MATRIX:
         return []
-    columns = [elements[number::3] for number in range(3)]
+    (ax, ay, az), (bx, by, bz), (cx, cy, cz) = (elements[number::3] for number in range(3))
     return [
-        abs(a[0] * b[0] + a[1] * b[1] + a[2] * b[2] - (1.0 if i == j else 0.0))
-        for i, a in enumerate(columns)
-        for j, b in enumerate(columns)
-        if i <= j
+        abs(ax * ax + ay * ay + az * az - 1.0),
+        abs(bx * bx + by * by + bz * bz - 1.0),
+        abs(ax * bx + ay * by + az * bz),
+        abs(ay * bz - az * by - cx),
+        abs(az * bx - ax * bz - cy),
+        abs(ax * by - ay * bx - cz),
     ]

@@ -253,8 +253,8 @@ PSEUDORANGE = Signature(
         - [12:15] x_a (m/s^2, frame b, not read): Accelerometer bias
         - [15:18] x_g (rad/s, frame b, not read): Gyro bias
     c_n_e : array_like, shape (..., 9)
-        Attitude of the navigation frame in the earth-fixed frame; map n -> e, orthonormal, row
-        by row.
+        Attitude of the navigation frame in the earth-fixed frame; map n -> e, rotation matrix,
+        row by row.
     origin : array_like, shape (..., 3)
         Origin of the navigation frame, earth-fixed; m, frame e, range [-1e8, 1e8]; elements x y
         z.
@@ -429,8 +429,8 @@ PSEUDORANGE_LEVER_ARM = Signature(
         - [12:15] x_a (m/s^2, frame b, not read): Accelerometer bias
         - [15:18] x_g (rad/s, frame b, not read): Gyro bias
     c_n_e : array_like, shape (..., 9)
-        Attitude of the navigation frame in the earth-fixed frame; map n -> e, orthonormal, row
-        by row.
+        Attitude of the navigation frame in the earth-fixed frame; map n -> e, rotation matrix,
+        row by row.
     origin : array_like, shape (..., 3)
         Origin of the navigation frame, earth-fixed; m, frame e, range [-1e8, 1e8]; elements x y
         z.

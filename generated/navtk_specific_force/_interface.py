@@ -309,7 +309,7 @@ CALC_FORCE = Signature(
     Parameters
     ----------
     dcm : array_like, shape (..., 9)
-        C, attitude of the body at the epoch; map s -> n, orthonormal, row by row.
+        C, attitude of the body at the epoch; map s -> n, rotation matrix, row by row.
     delta_theta : array_like, shape (..., 3)
         Angle increments, oldest sub-sample first; rad, frame s, range [-0.5, 0.5]; elements x y
         z.

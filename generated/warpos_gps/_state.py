@@ -115,6 +115,8 @@ class StateVector(Vector):
         for name, part in parts.items():
             if name not in self.slices:
                 raise TypeError(f"pack: no block {name!r}; the state holds {', '.join(self.names)}")
+            if part.dtype.kind not in "biufc":
+                raise TypeError(f"pack: {name} must be numbers; got {blocks[name]!r}")
             size = self._length(name)
             if size == 1:
                 parts[name] = part[..., None]

@@ -1,6 +1,7 @@
 """State block kinds: storage size, error size, retract, local and the tangent rule of each."""
 
 from symnav.blocks.base import Block, GeodeticPoint, Nominal, Value, frame_map
+from symnav.blocks.connections import connecting
 from symnav.blocks.geodetic import GeodeticBlock
 from symnav.blocks.heading import HeadingBlock
 from symnav.blocks.rotation import RotationBlock
@@ -23,5 +24,6 @@ __all__ = [
     "ScalarBlock",
     "Value",
     "VectorBlock",
+    "connecting",
     "frame_map",
 ]

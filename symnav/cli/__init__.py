@@ -11,6 +11,7 @@ import click
 from symnav import __version__
 from symnav.cli.demonstration import demo
 from symnav.cli.generation import build, check, generate
+from symnav.cli.measurement import bench
 from symnav.cli.project import doctor, list_models, new
 from symnav.cli.proof import verify
 
@@ -36,5 +37,5 @@ def main() -> None:
     """Turn a navigation state vector into code that is derived, compiled and proven."""
 
 
-for _verb in (new, generate, build, verify, check, list_models, doctor, demo):
+for _verb in (new, generate, build, verify, bench, check, list_models, doctor, demo):
     main.add_command(_verb)

@@ -64,10 +64,14 @@ def emit(spec_digest: str, scalars: Sequence[str], text: Mapping[str, str]) -> d
 
 
 def listed(package: Path) -> tuple[str, ...]:
-    """The files a package's manifest lists, itself included; none where there is no manifest."""
-    if not (package / MANIFEST).is_file():
+    """The files a package's manifest lists, itself included.
+
+    None where there is no manifest or it cannot be read: then nobody knows what may be removed.
+    """
+    try:
+        return (*_read(package).files, MANIFEST)
+    except InputError:
         return ()
-    return (*_read(package).files, MANIFEST)
 
 
 def check(package: Path, spec_digest: str | None) -> CheckReport:
@@ -107,7 +111,9 @@ def _read(package: Path) -> _Manifest:
         files = {_inside(str(name)): str(digest) for name, digest in content["files"].items()}
         return _Manifest(str(content["generator"]), str(content["specification"]), files)
     except (AttributeError, ValueError, KeyError, TypeError) as error:
-        raise InputError(f"{path} cannot be read; generate the package again") from error
+        raise InputError(
+            f"{path} cannot be read; write the package again with symnav generate --force"
+        ) from error
 
 
 def _inside(name: str) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from symnav import units
@@ -10,7 +10,7 @@ from symnav.blocks import GeodeticPoint, Value
 from symnav.equations.model import OptionValue
 from symnav.errors import EquationError
 from symnav.graph import Graph
-from symnav.quantities import Quantity, Rotation, constant, let, rotate
+from symnav.quantities import Quantity, Rotation, compose, constant, follows, let, rotate
 
 
 @dataclass(frozen=True)
@@ -123,18 +123,33 @@ class Bound:
 
 def resolve_in(frame: str | None, vector: Quantity, *chain: Rotation | None) -> Quantity:
     """The vector in ``frame``, taken there through the rotations of the chain that it needs."""
+    path: list[Rotation] = []
+    reached = vector.frame
     for rotation in chain:
-        if vector.frame == frame:
+        if reached == frame:
             break
-        if rotation is not None and vector.frame in (rotation.source, rotation.target):
-            vector = rotate(rotation, vector, f"{rotation.name}_arm")
-    if vector.frame != frame:
+        if rotation is not None and reached in (rotation.source, rotation.target):
+            path.append(rotation)
+            reached = rotation.other(reached)
+    if reached != frame:
         bound = [f"{r.name} ({r.source} -> {r.target})" for r in chain if r is not None]
         raise EquationError(
-            f"a vector in frame {vector.frame!r} is needed in frame {frame!r}; the rotations bound "
+            f"a vector in frame {reached!r} is needed in frame {frame!r}; the rotations bound "
             f"are {', '.join(bound) or 'none'}"
         )
+    for rotation in _composed(vector.frame, path):
+        vector = rotate(rotation, vector, f"{rotation.name}_arm")
     return vector
+
+
+def _composed(frame: str | None, path: Sequence[Rotation]) -> Sequence[Rotation]:
+    """The path from a frame with as few rotations as one product of matrices can make it."""
+    if not path or path[0].source != frame:
+        return path
+    first, *rest = path
+    while rest and follows(first, rest[0]):
+        first = compose(rest.pop(0), first)
+    return [first, *rest]
 
 
 def parts(quantity: Quantity, size: int = 3) -> list[Quantity]:

@@ -24,6 +24,7 @@ from symnav.equations.model import (
     vector,
 )
 from symnav.frames import series
+from symnav.graph import Guard
 from symnav.quantities import (
     Quantity,
     cross,
@@ -208,8 +209,9 @@ def _rotation(q: Bound, theta: Quantity, velocity: Quantity) -> tuple[Quantity, 
     sign = {"start": 1.0, "mid": 0.0, "end": -1.0}[str(epoch)]
     if kind == "half":
         return (cross(let("half_theta", 0.5 * sign * theta), velocity),)
-    bound = _largest_turn(q)
-    t = let("theta_squared", dot(theta, theta))
+    bound, reachable = _largest_turn(q)
+    guard = Guard(0.0, bound, 0.0, "squared rotation over the interval, bias taken out")
+    t = let("theta_squared", dot(theta, theta), guard if reachable > bound else None)
     turned = let("theta_cross_velocity", cross(theta, velocity))
     twice = let("theta_cross_twice", cross(theta, turned))
     if epoch == "mid":
@@ -220,12 +222,21 @@ def _rotation(q: Bound, theta: Quantity, velocity: Quantity) -> tuple[Quantity, 
     return (sign * (c2 * turned), c3 * twice)
 
 
-def _largest_turn(q: Bound) -> float:
-    """Largest squared rotation over the interval, from the declared ranges; biases are small."""
-    if q.options["input"] != "rates":
-        return q.largest_square("delta_theta", int(q.options["samples"]))
-    rate = max(q.largest_square("angular_rate_start"), q.largest_square("angular_rate_end"))
-    return rate * q.domains["dt"][0][1] ** 2
+def _largest_turn(q: Bound) -> tuple[float, float]:
+    """Squared rotation the series are made for, and the largest the declared ranges allow.
+
+    The bias is taken out of the increments and may add to them. One that more than doubles the
+    declared rotation, or takes it beyond pi, is left to a guard instead of to longer series.
+    """
+    longest = q.domains["dt"][0][1] if q.has("dt") else 0.0
+    if q.options["input"] == "rates":
+        rate = max(q.largest_square("angular_rate_start"), q.largest_square("angular_rate_end"))
+        declared = rate**0.5 * longest
+    else:
+        declared = q.largest_square("delta_theta", int(q.options["samples"])) ** 0.5
+    bias = q.largest_square("gyro_bias") ** 0.5 * longest if q.has("gyro_bias") else 0.0
+    limit = min(declared + bias, max(declared, min(2.0 * declared, series.LARGEST_ANGLE)))
+    return limit**2, (declared + bias) ** 2
 
 
 def _fraction(value: Fraction) -> sp.Rational:
@@ -270,7 +281,8 @@ def _check(
             ("sculling", "previous increments serve sculling; leave them out or ask for it")
         )
     corrected = [key for key in ("rotation", "sculling") if options[key] != "none"]
-    corrected = [key for key in corrected if key == "rotation" or options["samples"] != 1]
+    pairs = options["samples"] != 1 or rates  # what sculling works on
+    corrected = [key for key in corrected if key == "rotation" or pairs]
     if options["increments"] == "compensated" and (corrected or previous):
         problems.append(
             (
@@ -280,6 +292,15 @@ def _check(
                 "increments = 'raw'",
             )
         )
+    if rates and options["samples"] != 1:
+        problems.append(
+            ("samples", "rates are those at the ends of the interval; they have no sub-samples")
+        )
+    if previous and options["sculling"] == "harmonic":
+        problems.append(
+            ("sculling", "harmonic sculling needs sub-samples; the previous increments use "
+             "'polynomial'")
+        )  # fmt: skip
     if options["sculling"] == "harmonic" and rates:
         problems.append(("sculling", "harmonic sculling needs sub-samples; rates use 'polynomial'"))
     needs_dt = options["output"] == "specific_force" or rates

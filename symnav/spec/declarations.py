@@ -18,13 +18,14 @@ from symnav.blocks import (
     RotationBlock,
     ScalarBlock,
     VectorBlock,
+    connecting,
     frame_map,
 )
 from symnav.errors import EquationError
 from symnav.naming import Use
 from symnav.spec.problems import Problems, choices
 from symnav.spec.reading import Tables
-from symnav.spec.records import Frame
+from symnav.spec.records import Frame, Input
 from symnav.spec.schema import (
     FrameTable,
     GeodeticTable,
@@ -261,23 +262,39 @@ def _bounds(
 
 
 def check_error_frames(
-    blocks: Mapping[str, Block], paths: Mapping[str, str], problems: Problems
-) -> None:
-    """Every error frame needs a rotation, state block or input, that reaches it."""
-    ends = [
-        set(frame_map(block.maps))
-        for block in blocks.values()
-        if isinstance(block, (RotationBlock, HeadingBlock))
-    ]
+    states: Mapping[str, Block],
+    inputs: Mapping[str, Input],
+    paths: Mapping[str, str],
+    problems: Problems,
+) -> frozenset[str]:
+    """Every error frame needs one rotation, state block or input, that reaches it.
+
+    Returns:
+        The inputs that error frames need.
+    """
+    shared = [given.block for given in inputs.values() if not given.item]
+    blocks = {**states, **{name: given.block for name, given in inputs.items()}}
+    needed: set[str] = set()
     for name, block in blocks.items():
         if not isinstance(block, VectorBlock) or block.error_frame in ("", block.frame):
             continue
-        if {block.frame, block.error_frame} not in ends:
+        ends = f"{block.error_frame!r} and {block.frame!r}"
+        found = connecting(states.values(), shared, block.error_frame, block.frame)
+        needed |= {rotation.name for rotation in found}
+        if not found:
             problems.add(
                 f"{paths[name]}.error_frame",
-                f"no rotation connects {block.error_frame!r} and {block.frame!r}; declare one with "
+                f"no rotation connects {ends}; declare one with "
                 f"maps = '{block.error_frame} -> {block.frame}'",
             )
+        elif len(found) > 1:
+            listed = " and ".join(repr(rotation.name) for rotation in found)
+            problems.add(
+                f"{paths[name]}.error_frame",
+                f"{listed} connect {ends}, and the error needs one of them; give the others "
+                "frames of their own",
+            )
+    return frozenset(needed & inputs.keys())
 
 
 def with_bounds(block: Block, lower: float, upper: float) -> Block:

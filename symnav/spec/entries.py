@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from symnav import naming
+from symnav import naming, units
 from symnav.blocks import Block, VectorBlock
 from symnav.equations.bound import Results
 from symnav.equations.model import Model, OptionValue, Role
@@ -97,6 +97,8 @@ def check(draft: Draft, scope: Scope, problems: Problems) -> None:
             _check_fit(draft, role, block, item, problems)
         if isinstance(binding, BySlot):
             _check_slots(draft, name, binding, scope, problems)
+        if isinstance(binding, BySystem):
+            _check_units(draft, name, binding, scope, problems)
     if draft.sound:
         for key, message in model.check(draft.options, frozenset(draft.bindings)):
             problems.add(f"{path}.{key}", message)
@@ -163,6 +165,21 @@ def _check_fit(
         )
 
 
+def _check_units(
+    draft: Draft, name: str, binding: BySystem, scope: Scope, problems: Problems
+) -> None:
+    """The choices stand in one sum, so they have one unit."""
+    found = [
+        (f"{system} = {block.name!r} is in {block.units[0]!r}", units.parse(block.units[0]))
+        for system, choice in binding.choices
+        for block, _ in _blocks(choice, scope)
+        if misfit(draft.model.role(name), block, draft.options) is None
+    ]
+    if len({unit for _, unit in found}) > 1:
+        listed = ", ".join(words for words, _ in found)
+        problems.add(f"{draft.row.path}.{name}", f"{listed}; give all systems one unit")
+
+
 def _check_slots(
     draft: Draft, name: str, binding: BySlot, scope: Scope, problems: Problems
 ) -> None:
@@ -207,13 +224,17 @@ def residual_name(table: EntryTable) -> str | None:
 
 def try_out(draft: Draft, scope: Scope, problems: Problems) -> Results | None:
     """Evaluate the equation once, so that what it refuses is reported where it stands."""
-    if draft.outcome is not None:
-        return draft.outcome
-    try:
-        return evaluate(draft.model, draft.bindings, draft.options, draft.frames, scope)
-    except EquationError as error:
-        problems.add(draft.row.path, str(error))
-        return None
+    outcome = draft.outcome
+    if outcome is None:
+        try:
+            outcome = evaluate(draft.model, draft.bindings, draft.options, draft.frames, scope)
+        except EquationError as error:
+            problems.add(draft.row.path, str(error))
+            return None
+    if all(e == 0 for value in outcome.outputs.values() for e in value.elements):
+        key = "equation" if draft.table.equation is not None else "model"
+        problems.add(f"{draft.row.path}.{key}", "the result is zero, whatever it reads")
+    return outcome
 
 
 def measured_input(

@@ -71,7 +71,7 @@ def loads(text: str, source: str = "specification") -> Spec:
         SpecError: when it has mistakes; all of them are listed.
     """
     try:
-        table = tomllib.loads(text)
+        table = tomllib.loads(text.removeprefix("\ufeff"))  # some editors lead with a mark
     except tomllib.TOMLDecodeError as error:
         raise SpecError([Problem("", f"not TOML: {error}")], source) from None
     except RecursionError:
@@ -118,6 +118,7 @@ class _Stages:
             for row in tables.inputs
             if self.names.give(row.table.name, Use.INPUT, f"{row.path}.name")
         }
+        self.turning: frozenset[str] = frozenset()
 
     def run(self, source: str) -> Spec:
         """All stages in order.
@@ -175,7 +176,9 @@ class _Stages:
         """The library's model, or None for a user equation or a mistake."""
         table: EntryTable = row.table
         if (table.model is None) == (table.equation is None):
-            self.problems.add(row.path, "needs either a model or an equation")
+            given = "has both a model and an equation; leave one out"
+            missing = "needs either a model or an equation"
+            self.problems.add(row.path, missing if table.model is None else given)
             return None
         if table.model is None:
             for key in table.__pydantic_extra__ or {}:
@@ -211,8 +214,7 @@ class _Stages:
         }
         paths = {row.table.name: row.path for row in self.tables.states}
         paths |= {name: row.path for name, row in self.declared.items()}
-        blocks = {**states, **{name: given.block for name, given in inputs.items()}}
-        check_error_frames(blocks, paths, self.problems)
+        self.turning = check_error_frames(states, inputs, paths, self.problems)
         scope = Scope(states, inputs)
         by_path = {bound.path: frames for bound, frames in zip(bounds, maps, strict=True)}
         drafts = []
@@ -258,7 +260,7 @@ class _Stages:
     def _check(self, drafts: list[Draft], scope: Scope) -> None:
         for draft in drafts:
             check(draft, scope, self.problems)
-        used = {name for draft in drafts for name in draft.inputs}
+        used = self.turning.union(*(draft.inputs for draft in drafts))
         measured = {residual_name(draft.table): draft for draft in drafts}
         for name, draft in measured.items():
             if name in used or name in scope.states:

@@ -115,7 +115,7 @@ def prove(
     Args:
         spec: the specification.
         derivations: one per entry.
-        layout_functions: retract and local.
+        layout_functions: retract and local, or none where there is no state.
         package: the imported generated package.
         samples: per function; those of single edges come on top.
         seed: of the samples.
@@ -142,8 +142,9 @@ def prove(
         rows += proof.rows()
         notes += proof.notes
         judged[derivation.name] = proof.judged
-    progress("retract and local")
-    rows += prove_layout(spec, layout_functions, backends, samples, seed)
+    if layout_functions:
+        progress("retract and local")
+        rows += prove_layout(spec, layout_functions, backends, samples, seed)
     return ProofSheet(spec.name, tuple(rows), tuple(findings), tuple(notes), samples, seed, judged)
 
 

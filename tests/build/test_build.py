@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import hashlib
 import json
+import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import sysconfig
@@ -54,7 +56,9 @@ def test_record_names_what_was_built(package: Path) -> None:
     assert re.fullmatch(r"_rover_[0-9a-f]{16}", str(written["native"]))
     assert written["casadi"] is None
     assert result.modules["native"].name.startswith(str(written["native"]) + ".")
-    assert written["flags"] == list(build.FLAGS)
+    flags = written["flags"]
+    assert isinstance(flags, list)
+    assert [flag for flag in flags if flag != build.DISPATCH_FLAG] == list(build.FLAGS)
     assert "-ffast-math" not in build.FLAGS
     sources = written["sources"]
     assert isinstance(sources, dict)
@@ -148,6 +152,27 @@ def test_native_build_gives_the_same_bits(tmp_path: Path) -> None:
         for key, array in one.outputs.items():
             np.testing.assert_array_equal(same[key], array)
             np.testing.assert_array_equal(stacked[key][place].ravel(), array)
+
+
+@pytest.mark.skipif(
+    build.DISPATCH_FLAG not in build._dispatch_flags(build.find_compiler()),
+    reason="needs gcc for x86-64 and the GNU C library",
+)
+def test_dispatch_gives_the_same_bits(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Loops for wide registers are there, the loader picks, and nothing changes but the time."""
+    function = modules.antenna(guarded=False)
+    package = write_package(tmp_path, modules.module(function))
+    samples = [draw(function, seed) for seed in range(40)]
+    wide = Library(load_extension(build.build(package)), "rover", np.float64)
+    module = build.build(package).modules["native"]
+    code = subprocess.run(["objdump", "-d", module], capture_output=True, text=True, check=True)
+    assert "ymm" in code.stdout
+    assert "fmadd" not in code.stdout
+    batch = wide.batch(function, samples)
+    monkeypatch.setattr(build, "_dispatch_flags", lambda _compiler: [])
+    narrow = Library(load_extension(build.build(package)), "rover", np.float64)
+    for key, array in narrow.batch(function, samples).outputs.items():
+        np.testing.assert_array_equal(batch[key], array)
 
 
 def test_other_files_stay(package: Path) -> None:
@@ -339,3 +364,45 @@ class TestDeclarations:
         assert lib.ROVER_ROWS_MAX_ITEMS == 33
         assert list(lib.rover_rows_jacobian_rows) == [0, 1, 1]
         assert list(lib.rover_rows_jacobian_columns) == [0, 0, 1]
+
+
+def test_declarations_that_cffi_cannot_read(package: Path) -> None:
+    """One message that names the headers and the log, whatever cffi raises."""
+    header = next((package / "c" / "include").glob("*/rover.h"))
+    text = header.read_text(encoding="utf-8")
+    for clash in ("int rover_real_t(int a);", "int twice(int a);\nint twice(double a);"):
+        marked = text.replace("/* Interface ends. */", f"{clash}\n/* Interface ends. */")
+        header.write_text(marked, encoding="utf-8")
+        with pytest.raises(errors.BuildError, match="cffi cannot read the declarations"):
+            build.build(package)
+        assert clash.partition("\n")[0] in (package / "_build.log").read_text(encoding="utf-8")
+
+
+def test_a_killed_build_leaves_the_package_as_it_was(package: Path, tmp_path: Path) -> None:
+    """The compiler stops the whole build while it works; nothing foreign stays in the package."""
+    before = set(package.rglob("*"))
+    script = tmp_path / "cc"
+    script.write_text(
+        f"#!{sys.executable}\n"
+        "import os, signal, subprocess, sys\n"
+        "if '-c' in sys.argv:\n"
+        "    os.kill(os.getppid(), signal.SIGKILL)\n"
+        "sys.exit(subprocess.call(['gcc', *sys.argv[1:]]))\n",
+        encoding="utf-8",
+    )
+    script.chmod(0o755)
+    command = "import sys; from pathlib import Path; from symnav import build;"
+    command += f"build.build(Path({str(package)!r}))"
+    done = subprocess.run(
+        [sys.executable, "-c", command],
+        env={**os.environ, "CC": str(script), "TMPDIR": str(tmp_path)},
+        check=False,
+    )
+    assert done.returncode == -signal.SIGKILL
+    assert set(package.rglob("*")) == before
+
+
+def test_only_the_mark_of_an_array_is_dropped() -> None:
+    """A state block may be called RESTRICT."""
+    text = "enum {\n    A_X_RESTRICT = 0,\n};\nint f(const double x[A_RESTRICT 3]);\n"
+    assert build.declarations(text) == text.replace("A_RESTRICT ", " ")

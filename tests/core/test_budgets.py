@@ -31,7 +31,7 @@ def _count(expression: ir.Expression) -> int:
         (calibrated_gps(), (99, 0)),
         (inertial(1), (161, 0)),
         (inertial(4), (276, 0)),
-        (ranges(), (128, 28)),
+        (ranges(), (113, 28)),
     ],
     ids=["gps", "calibrated gps", "one sample", "four samples", "range"],
 )

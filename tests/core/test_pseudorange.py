@@ -13,7 +13,7 @@ from symnav.blocks import Block
 from symnav.spec.records import BySlot, BySystem, Input, ToInput, ToState
 from tests.core.interpreter import SINGLE, Interpreter
 from tests.core.judging import Judge, check, draw
-from tests.core.specs import Case, geodetic, lowered, ranges, rotation, vector
+from tests.core.specs import Case, derived, geodetic, lowered, ranges, rotation, vector
 
 SAGNAC = ["none", "first_order", "rotate_once", "exact"]
 #: A place on the earth and a satellite, so that the earth's rotation shows as it does in use.
@@ -233,3 +233,16 @@ def test_satellite_at_the_antenna_is_a_domain_error() -> None:
         assert len(Interpreter(function).run(point).failed) == 1
         point["s"][2] += mpf("1e-5")
         assert not Interpreter(function).run(point).failed
+
+
+@pytest.mark.parametrize("error", ["right", "right_negative", "left", "left_negative", "storage"])
+@pytest.mark.parametrize("arm", ["l", (0.3, -0.1, 0.2)], ids=["input", "constant"])
+def test_two_rotations_in_a_row(error: str, arm: Any) -> None:
+    """Composed where the error allows it, one after the other where not; the same numbers."""
+    case = ranges("first_order")
+    place, _, clock = case.blocks
+    blocks = [place, rotation("q", error=error), clock]
+    bindings: dict[str, Any] = {**case.bindings, "lever_arm": arm}
+    check(replace(case, blocks=blocks, bindings=bindings))
+    names = {d.symbol.name for d in derived(replace(case, blocks=blocks).spec()).definitions}
+    assert ("C_q_00" in names) == error.startswith("right")

@@ -129,6 +129,31 @@ def test_small_and_large_turns(epoch: str) -> None:
         check(case, dth=(0.6 * angle, -0.8 * angle, angle), bg=(0.0, 0.0, 0.0))
 
 
+def biased(bound: float) -> Case:
+    """Exact rotation with a gyro bias of a declared size, over an interval of 0.1 s at most."""
+    base = inertial(1, rotation="exact")
+    attitude, _, accelerometer = base.blocks
+    bias = vector("bg", unit="rad/s", frame="b", bound=bound)
+    return replace(base, blocks=[attitude, bias, accelerometer])
+
+
+@pytest.mark.parametrize("epoch", ["start", "mid", "end"])
+def test_bias_adds_to_the_turn(epoch: str) -> None:
+    """The series reach as far as the increments and the bias together."""
+    case = biased(2.0)
+    case = replace(case, options={**case.options, "epoch": epoch})
+    check(case, dth=(0.2, -0.2, 0.2), bg=(-2.0, 2.0, -2.0), dt=(0.1,))
+
+
+def test_a_bias_beyond_all_turns_is_guarded() -> None:
+    """Where the declared bias could more than double the turn, the turn itself is checked."""
+    for bound, guarded in ((2.0, False), (50.0, True)):
+        found = {d.symbol.name: d.guard for d in derived(biased(bound).spec()).definitions}
+        guard = found["theta_squared"]
+        assert (guard is not None) == guarded
+        assert guard is None or guard.upper == pytest.approx(4 * 3 * 0.2**2)
+
+
 def test_a_turn_beyond_pi_is_refused() -> None:
     """The declared range must keep the series inside its domain."""
     base = inertial(1, rotation="exact")
@@ -179,6 +204,11 @@ def test_rules() -> None:
     assert problems(previous, samples=2) == {"samples"}
     assert problems(previous, sculling="none") == {"sculling"}
     assert problems(f"{ends} dt", input="rates", sculling="harmonic") == {"sculling"}
+    plain = {"input": "rates", "rotation": "none", "increments": "compensated"}
+    assert problems(f"{ends} dt", **plain) == {"increments"}
+    assert problems(f"{ends} dt", **plain, sculling="none") == set()
+    assert problems(f"{ends} dt", input="rates", samples=3) == {"samples"}
+    assert problems(previous, sculling="harmonic") == {"sculling"}
     assert problems(both, increments="compensated") == {"increments"}
     assert problems(both, increments="compensated", rotation="none") == set()
     compensated = {"increments": "compensated", "rotation": "none", "samples": 2}

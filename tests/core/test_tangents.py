@@ -97,3 +97,16 @@ def test_sign_of_a_scalar(sign: str) -> None:
         {"ecef": "ecef"},
     )
     check(case, absolute="1e-12")
+
+
+@pytest.mark.parametrize("maps", ["b -> n", "n -> b"])
+def test_error_frame_beside_another_rotation_of_the_same_frames(maps: str) -> None:
+    """The state's own attitude turns the error, whatever the equation is bound to."""
+    blocks = [vector("p", frame="n", error_frame="b"), rotation("q")]
+    inputs = [rotation("q2", maps), vector("l", frame="b", bound=5.0)]
+    check(Case("gnss_position", blocks, inputs, {**BINDINGS, "attitude": "q2"}, FRAMES))
+
+
+def test_error_frame_by_an_input_that_nothing_else_reads() -> None:
+    blocks = [vector("p", frame="n", error_frame="b")]
+    check(Case("gnss_position", blocks, [rotation("q2")], {"position": "p"}, FRAMES))

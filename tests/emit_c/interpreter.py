@@ -139,6 +139,8 @@ def _check_norm(domain: ir.Domain, values: Sequence[mp.mpf]) -> None:
             for i in range(3)
             for j in range(3)
         ]
+        handed = np.linalg.det(np.reshape(np.array(values, dtype=float), (3, 3)))
+        excess.append(float(handed) - 1.0)
     else:
         return
     if any(abs(one) > domain.tolerance for one in excess):

@@ -92,6 +92,19 @@ def test_orthonormality_of_a_matrix(library: Library, row: int, column: int) -> 
     assert library.evaluate(function, bent).status is Status.QNORM
 
 
+@pytest.mark.parametrize("sign", [(-1, -1, -1), (1, 1, -1), (-1, 1, 1)])
+def test_reflection_is_no_rotation(library: Library, sign: tuple[int, int, int]) -> None:
+    """Orthonormal columns are not enough: the third is the cross product of the others."""
+    function = FUNCTIONS["all"]
+    inputs = draw(function, 0, 0, library.real)
+    inputs["pair"][:] = 0.5
+    inputs["mounting"] = np.diag(sign).astype(library.real).ravel()
+    found = library.evaluate(function, inputs)
+    assert found.status is Status.QNORM
+    assert evaluate(function, inputs).status is Status.QNORM
+    assert found.untouched
+
+
 def test_statuses_of_checks_in_order(library: Library) -> None:
     """The first check that fails decides, though later ones fail as well."""
     function = FUNCTIONS["all"]

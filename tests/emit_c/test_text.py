@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 
-from symnav import errors, ir
+from symnav import errors, ir, naming
 from symnav.emit import c
 from symnav.emit.c import comments
 from symnav.emit.c.names import RESERVED, Names, identifier
@@ -213,10 +213,10 @@ def test_slot_beyond_its_output() -> None:
 
 @gcc
 def test_inputs_may_be_called_like_locals(tmp_path: Path) -> None:
-    """Every name that the entry points use themselves is free for an input."""
+    """Every name that the C uses itself is free for an input, and for a named term."""
     from symnav.emit.c.arguments import LOCALS
 
-    names = sorted(LOCALS - {"i", "n"})
+    names = sorted(LOCALS - {"i", "n"} | naming.HELPER_NAMES | naming.STANDARD_NAMES)
     arguments = [
         building.argument(building.domain(name, 0, ("x", "y"), 1.0), item=position % 2 == 0)
         for position, name in enumerate(names)
@@ -226,10 +226,14 @@ def test_inputs_may_be_called_like_locals(tmp_path: Path) -> None:
     function = building.function(
         "busy",
         [building.X, *arguments],
-        shared=(ir.Statement("status", ir.Load(names[1], 0)),),
+        shared=(
+            ir.Statement("status", ir.Load(names[1], 0)),
+            ir.Statement("is_within", building.add("status", 1.0)),
+            ir.Statement("INT32_MAX", building.mul("is_within", "status")),
+        ),
         item=(check,),
         outputs=(
-            building.output("value", (), [((), building.mul("value", "status"))], item=True),
+            building.output("value", (), [((), building.mul("value", "INT32_MAX"))], item=True),
             building.output("jacobian", (19,), [((2,), "value")], item=True),
         ),
         maximum=5,

@@ -145,7 +145,8 @@ def _skew(domain: ir.Domain, part: Sequence[float]) -> float:
         return abs(sum(value * value for value in part) - 1.0)
     if domain.kind is ir.Kind.MATRIX:
         matrix = np.reshape(part, (3, 3))
-        return float(np.max(np.abs(matrix.T @ matrix - np.eye(3))))
+        handed = abs(float(np.linalg.det(matrix)) - 1.0)
+        return max(float(np.max(np.abs(matrix.T @ matrix - np.eye(3)))), handed)
     return 0.0
 
 

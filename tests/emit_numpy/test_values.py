@@ -244,3 +244,24 @@ def test_difference_covariance(package: ModuleType, rng: np.random.Generator) ->
     covariance = package.ranges.difference_covariance(sigma, 1)
     for own, one in zip(covariance, sigma, strict=True):
         assert own == pytest.approx(matrix @ np.diag(one**2) @ matrix.T, rel=1e-15)
+
+
+def test_differences_are_guarded_like_the_c(package: ModuleType) -> None:
+    """Standard deviations in their range, no more items than declared, an index for a reference."""
+    form = package.ranges
+    for sigma in ([1.0, np.nan, 3.0], [1.0, -1.0, 3.0], [1.0, np.inf, 3.0], [1.0, 1e151, 3.0]):
+        with pytest.raises(ValueError, match=r"RANGE: sigma\[1\] = .* is outside") as caught:
+            form.difference_covariance(sigma, 1)
+        assert (caught.value.argument, caught.value.index) == ("sigma", (1,))  # type: ignore[attr-defined]
+    assert np.isfinite(form.difference_covariance([0.0, 1e150], 1)).all()
+    most = FUNCTIONS["ranges"].maximum
+    assert most is not None
+    assert form.difference_matrix(most, 0).shape == (most - 1, most)
+    with pytest.raises(ValueError, match=f"COUNT: count has n = {most + 1}"):
+        form.difference_matrix(most + 1, 0)
+    with pytest.raises(ValueError, match=f"COUNT: sigma has n = {most + 1}"):
+        form.difference_covariance(np.ones(most + 1), 0)
+    with pytest.raises(ValueError, match="INDEX: reference = 3"):
+        form.difference_matrix(3, 3)
+    with pytest.raises(TypeError, match=r"reference is the index of an item, an integer; got 1\.0"):
+        form.difference_matrix(3, 1.0)

@@ -181,7 +181,7 @@ def test_guard_names_items_scalars_and_conditions(
         package.operations(a=10.0, b=1.0)
     turn = np.eye(3)
     turn[0, 1] = 0.1
-    with pytest.raises(package.GuardError, match=r"QNORM: turn\[0:9\] is not an orthonormal mat"):
+    with pytest.raises(package.GuardError, match=r"QNORM: turn\[0:9\] is not a rotation mat"):
         package.frame_map(given["x"], turn=turn.reshape(9))
     with pytest.raises(
         package.GuardError,

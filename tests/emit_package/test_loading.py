@@ -152,3 +152,9 @@ def test_straight_way_and_general_way_agree(
     assert type(other) is type(straight)
     assert type(straight.status) is type(other.status)
     assert gps(np.vstack([x, x])[::2][0], lever_arm=ARM).value.tolist() == straight.value.tolist()
+
+
+def test_no_cffi_runtime(copy: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The message says what to install."""
+    monkeypatch.setitem(sys.modules, "_cffi_backend", None)
+    assert "need the cffi runtime; run: python -m pip install cffi" in missing(copy)

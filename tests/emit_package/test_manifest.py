@@ -96,5 +96,6 @@ def test_not_a_package(tmp_path: Path) -> None:
         manifest.check(tmp_path, None)
     for text in ("{", "{}", '{"generator": "x", "specification": "y", "files": 3}'):
         (tmp_path / "manifest.json").write_text(text)
-        with pytest.raises(errors.InputError, match="cannot be read; generate the package again"):
+        with pytest.raises(errors.InputError, match=r"cannot be read; .* symnav generate --force"):
             manifest.check(tmp_path, None)
+        assert manifest.listed(tmp_path) == ()

@@ -181,6 +181,28 @@ def test_bound_calls_write_to_given_arrays(
     assert call().status == package.Status.OK
 
 
+@pytest.mark.parametrize("lead", [(), (1, 1), (2, 1), (2, 2)], ids=str)
+def test_bound_calls_of_many_epochs(
+    package: ModuleType, functions: ModuleType, rng: np.random.Generator, lead: tuple[int, ...]
+) -> None:
+    """Arguments may be shared or spread; an epoch that fails leaves its rows as they were."""
+    given = packages.arguments(FUNCTIONS["gps"], rng, 2, 2)
+    given["lever_arm"] = np.ascontiguousarray(np.broadcast_to([0.1, 0.2, 0.3], (*lead, 3)))
+    arrays = empty("gps", (2, 2))
+    call = called(functions.gps.bind, given, out=arrays)
+    first = call()
+    held = {name: array.copy() for name, array in arrays.items()}
+    assert held["value"] == pytest.approx(called(functions.gps, given).value, rel=1e-15)
+    given["x"][0, 1, 0] = np.nan
+    given["x"][1, 0, :3] += 1.0
+    result = call()
+    assert result.status.tolist() == [[0, package.Status.RANGE], [0, 0]]
+    assert result.value is first.value
+    for name, array in arrays.items():
+        assert np.array_equal(array[0, 1], held[name][0, 1])
+    assert not np.array_equal(result.value[1, 0], held["value"][1, 0])
+
+
 def test_bound_calls_report_bad_items(
     package: ModuleType, functions: ModuleType, rng: np.random.Generator
 ) -> None:

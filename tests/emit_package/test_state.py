@@ -110,3 +110,11 @@ def test_a_package_without_a_state(tmp_path: ModuleType) -> None:
     assert plain.operations(a=1.0, b=2.0).value[0] == 3.0
     assert not hasattr(plain, "State")
     assert "State" not in (folder / "__init__.pyi").read_text()
+
+
+def test_pack_takes_numbers_only(package: ModuleType) -> None:
+    """Text or objects name their block."""
+    name = package.State.names[0]
+    for value in ("a", ["a", "b", "c"], None):
+        with pytest.raises(TypeError, match=f"pack: {name} must be numbers"):
+            package.State.pack(**{name: value})

@@ -118,7 +118,7 @@ def test_documentation_of_variants() -> None:
     """Rejecting functions, matrices, and functions without guards or equations."""
     strict = "\n".join(documentation(modules.ranges("s", ir.Items.REJECT), "R"))
     assert "one that fails refuses its epoch" in strict
-    assert "orthonormal, row by row" in "\n".join(documentation(modules.frame_map(), "R"))
+    assert "rotation matrix, row by row" in "\n".join(documentation(modules.frame_map(), "R"))
     bare = replace(modules.unguarded(modules.gps()), equation="", source="", conventions=())
     lines = documentation(bare, "R")
     assert "Raises" not in lines

@@ -30,7 +30,7 @@ from pathlib import Path
 
 ROOTS = (
     "symnav/graph.py",
-    "symnav/quantities.py",
+    "symnav/quantities",
     "symnav/elimination.py",
     "symnav/binding.py",
     "symnav/derive.py",

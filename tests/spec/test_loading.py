@@ -316,3 +316,34 @@ def test_a_written_equation_equals_the_library(maps: str, error: str) -> None:
         assert set(expected[name]) == set(found[name])
         for place, value in expected[name].items():
             assert found[name][place] == pytest.approx(value, rel=1e-12, abs=1e-12)
+
+
+def test_an_input_that_only_an_error_frame_needs() -> None:
+    spec = loads(
+        """
+        name = "rover"
+        [[state]]
+        name = "position"
+        kind = "vector"
+        size = 3
+        unit = "m"
+        frame = "n"
+        error_frame = "b"
+        [[input]]
+        name = "attitude"
+        kind = "rotation"
+        maps = "b -> n"
+        [[measurement]]
+        name = "gps"
+        model = "gnss_position"
+        position = "position"
+        """
+    )
+    assert list(spec.inputs) == ["attitude"]
+
+
+def test_a_byte_order_mark_is_read_over(tmp_path: Path) -> None:
+    text = "name = 'rover'\n[[state]]\nname = 'clock'\nkind = 'scalar'\nunit = 'm'\n"
+    (tmp_path / "rover.toml").write_text(text, encoding="utf-8-sig")
+    assert load(tmp_path / "rover.toml").name == "rover"
+    assert loads(f"\ufeff{text}").name == "rover"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import keyword
 import re
 import subprocess
+import sysconfig
 from pathlib import Path
 from shutil import which
 
@@ -12,9 +13,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from symnav import naming
+from symnav import ir, naming
 from symnav.equations import library
 from symnav.naming import Use
+
+ROOT = Path(__file__).parents[2]
 
 
 @pytest.mark.parametrize(
@@ -47,6 +50,20 @@ from symnav.naming import Use
         ("state", Use.FUNCTION, "a name that the generated code gives itself"),
         ("retract", Use.FUNCTION, "a name that the generated code gives itself"),
         ("symnav", Use.PACKAGE, "a name that the generated code gives itself"),
+        ("take_value", Use.INPUT, None),
+        ("INT32_MAX", Use.STATE, None),
+        ("M_PI", Use.INPUT, "declared by math.h"),
+        ("status_t", Use.FUNCTION, "a name that the generated code gives itself"),
+        ("f0", Use.FUNCTION, "a name of CasADi's helpers"),
+        ("S12", Use.FUNCTION, "a name of CasADi's helpers"),
+        ("sq", Use.FUNCTION, "a name of CasADi's helpers"),
+        ("f0", Use.STATE, None),
+        ("f32", Use.FUNCTION, "leads the names of the single-precision C"),
+        ("f32_gps", Use.FUNCTION, "leads the names of the single-precision C"),
+        ("r", Use.PACKAGE, "'r' gives R_OK, a macro of unistd.h"),
+        ("py_model", Use.PACKAGE, "leads macros of Python's own headers"),
+        ("ROVER", Use.PACKAGE, "upper case, which C keeps for macros"),
+        ("Rover", Use.PACKAGE, None),
         ("double", Use.FRAME, None),
         ("b-frame", Use.FRAME, "not an identifier"),
     ],
@@ -78,6 +95,8 @@ def test_clashes() -> None:
     assert naming.clash("gps", ["imu"]) is None
     assert naming.entry_point_clash("gps_batch", ["gps"]) == "gps"
     assert naming.entry_point_clash("gps", ["gps"]) is None
+    assert naming.entry_point_clash("gps_work", ["gps"]) == "gps"
+    assert naming.entry_point_clash("gps_n_in", ["gps"]) == "gps"
     assert naming.step_clash("x_step", ["x"]) == "x"
     assert naming.step_clash("a_step", ["x"]) is None
 
@@ -125,3 +144,59 @@ def test_math_names_are_those_of_math_h(tmp_path: Path) -> None:
     # GNU extensions and long variants that a user would not write by accident.
     foreign = {name for name in declared if re.search(r"_|\d{2,}x?$|^exp10|^pow10|^sincos", name)}
     assert {name for name in declared - foreign if naming.fault(name, Use.INPUT) is None} == set()
+
+
+def test_helpers_are_those_of_the_templates() -> None:
+    templates = ROOT / "templates" / "c" / "helpers"
+    assert {path.stem for path in templates.glob("*.j2")} | {"flag_t"} == naming.HELPER_NAMES
+
+
+def test_names_of_casadi_are_refused() -> None:
+    """Whatever CasADi's generator defines beside a function, no other function may be called."""
+    sources = sorted(ROOT.glob("generated/*/casadi/*.c"))
+    assert sources
+    for source in sources:
+        text = source.read_text(encoding="utf-8")
+        for helper in re.findall(r"#define casadi_(\w+) CASADI_PREFIX", text):
+            assert naming.fault(helper, Use.FUNCTION) is not None, helper
+        functions = re.findall(r"^/\* (\w+):\(", text, re.MULTILINE)
+        symbols = set(re.findall(r"^CASADI_SYMBOL_EXPORT .*?(\w+)\(", text, re.MULTILINE))
+        lead = f"{source.stem}_"
+        assert set(functions) < symbols
+        for symbol in symbols - set(functions):
+            name = symbol.removeprefix(lead)
+            clash = naming.entry_point_clash(name, [f.removeprefix(lead) for f in functions])
+            assert clash is not None or naming.fault(name, Use.FUNCTION) is not None, symbol
+
+
+def macros_of(header: str, *options: str) -> set[str]:
+    """The macros without parameters that a header brings."""
+    command = ["gcc", "-dM", "-E", *options, "-include", header, "-x", "c", "/dev/null"]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    return {word for line in done.stdout.splitlines() if "(" not in (word := line.split()[1])}
+
+
+@pytest.mark.skipif(which("gcc") is None, reason="needs gcc")
+def test_macros_of_headers_are_refused_or_renamed() -> None:
+    for header in ("stdint.h", "stddef.h", "stdbool.h", "float.h", "math.h"):
+        for word in macros_of(header, "-std=c99", "-D_XOPEN_SOURCE=700"):
+            if re.fullmatch(r"[A-Za-z]\w*", word) and "__" not in word:
+                renamed = word in naming.STANDARD_NAMES
+                assert renamed or naming.fault(word, Use.INPUT) is not None, word
+
+
+@pytest.mark.skipif(which("gcc") is None, reason="needs gcc")
+def test_no_package_has_macros_of_python() -> None:
+    """The compiled wrapper includes Python.h and the generated headers together."""
+    include = Path(sysconfig.get_path("include"))
+    if not (include / "Python.h").is_file():
+        pytest.skip("needs the headers of Python")
+    macros = macros_of("Python.h", f"-I{include}")
+    assert {"R_OK", "F_OK"} <= macros
+    endings = [status.name for status in ir.Status]
+    endings += ["H", "TYPES_H", "CHECK_H", "STATE_SIZE", "ERROR_SIZE", "RESTRICT", "INLINE"]
+    for name in macros:
+        for ending in endings:
+            lead = name.removesuffix(f"_{ending}").lower()
+            if name.endswith(f"_{ending}") and naming.fault(lead, Use.PACKAGE) is None:
+                assert name != f"{lead}_{ending}".upper(), name

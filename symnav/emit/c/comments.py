@@ -79,6 +79,8 @@ def fitted(text: str) -> str:
 
 def _broken(text: str, indent: str) -> list[str]:
     """Break a statement at its outermost operators and commas, and inside only where it must."""
+    if len(indent) + len(text) <= WIDTH:
+        return [indent + text]
     deepest = max(_depths(text), default=0)
     lines: list[str] = []
     for depth in range(deepest + 1):

@@ -16,7 +16,7 @@ _STATUS_TEXT = {
     ir.Status.NULL: "a pointer is null",
     ir.Status.RANGE: "an input is not finite or outside its declared range",
     ir.Status.DOMAIN: "the equation has no value here: a guarded intermediate is singular",
-    ir.Status.QNORM: "a quaternion is not of unit norm or a matrix not orthonormal",
+    ir.Status.QNORM: "a quaternion is not of unit norm or a matrix no rotation",
     ir.Status.COUNT: "a number of items or epochs is negative or above the maximum",
     ir.Status.INDEX: "an index does not name an item",
     ir.Status.PARTIAL: "some items or epochs failed; their own status says why",

@@ -220,7 +220,9 @@ class Single:
         passed = [f"&{name}[first * {name}_step], {name}_step" for name in _names(arguments)]
         return {
             "lanes_head": head(
-                "static void", f"{kernel.local}_lanes", ["int32_t count", *declarations, block]
+                f"static {kernel.target.macro}_WIDE void",
+                f"{kernel.local}_lanes",
+                ["int32_t count", *declarations, block],
             ),
             "locals": self._locals(),
             "load": comments.code(

@@ -14,7 +14,7 @@ from symnav import ir
 from symnav.emit.c import comments
 from symnav.emit.c.documentation import banner, entry_comment, status_text
 from symnav.emit.c.entry_points import EntryPoint
-from symnav.emit.c.interface import range_text
+from symnav.emit.c.interface import meaning_text
 from symnav.emit.c.kernel import Kernel
 from symnav.emit.c.store import is_jacobian
 from symnav.emit.c.target import Target
@@ -139,8 +139,7 @@ def _quantity(labels: Sequence[str], unit: str, frame: str) -> str:
 
 def _block_text(block: ir.StateBlock) -> list[str]:
     storage = block.storage
-    meaning = f"{storage.description.rstrip('.')}; {range_text(storage)}."
-    text = f"- {block.name} ({block.kind}): {meaning}"
+    text = f"- {block.name} ({block.kind}): {meaning_text(storage)}"
     if block.convention.strip():
         text += f" {block.convention}"
     return comments.paragraph(text, hang="  ")

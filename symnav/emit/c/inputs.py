@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 from symnav import ir
 from symnav.emit.c import comments
@@ -59,7 +60,7 @@ class Element:
         return self.domain.labels[self.index - self.domain.start]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Inputs:
     """Every element of every argument, and which of them are copied."""
 
@@ -70,7 +71,7 @@ class Inputs:
     chosen: Mapping[ir.Load, Span]
     guarded: bool
 
-    @property
+    @cached_property
     def elements(self) -> tuple[Element, ...]:
         """Every element, in the order of the interface."""
         return tuple(self.table.values())
@@ -86,11 +87,11 @@ class Inputs:
 
     def is_per_item(self, load: ir.Load) -> bool:
         """True for an element of an argument that has one row per item."""
-        return any(a.name == load.argument and a.item for a in self.arguments)
+        return self._argument_of[load.argument].item
 
     def is_integer(self, load: ir.Load) -> bool:
         """True for an element of an integer argument."""
-        return any(a.name == load.argument and a.integer for a in self.arguments)
+        return self._argument_of[load.argument].integer
 
     def struct(self, *, item: bool) -> Struct:
         """The structure of the copies of one call, or of one item."""
@@ -128,10 +129,15 @@ class Inputs:
         kind = "int32_t" if argument.integer else self.target.real
         return f"const {kind} {argument.name}[]"
 
-    @property
+    @cached_property
     def arguments(self) -> tuple[ir.Argument, ...]:
         """The arguments, in the order of the interface."""
-        return tuple(dict.fromkeys(element.argument for element in self.elements))
+        return tuple(self._argument_of.values())
+
+    @cached_property
+    def _argument_of(self) -> dict[str, ir.Argument]:
+        """The arguments by name; a name is compared faster than a whole record."""
+        return {element.argument.name: element.argument for element in self.elements}
 
     def helpers(self) -> set[str]:
         """Names of the check functions the loaders call."""
@@ -184,9 +190,8 @@ class Inputs:
         if domain.kind is ir.Kind.UNREAD:
             return
         lines: list[str] = []
-        for element in self.elements:
-            if element.argument is argument and element.domain is domain:
-                lines += self._loading_element(element)
+        for index in range(domain.start, domain.start + domain.size):
+            lines += self._loading_element(self.table[ir.Load(argument.name, index)])
         if lines:
             yield ""
             yield _comment(domain)

@@ -196,7 +196,13 @@ def domain_text(domain: ir.Domain) -> str:
     unit = "" if domain.unit == "1" else domain.unit
     lead = f"{unit}{_in(domain.frame)}".strip()
     text = f"{lead}: " if lead else ""
-    return f"{text}{domain.description.rstrip('.')}; {range_text(domain)}."
+    return text + meaning_text(domain)
+
+
+def meaning_text(domain: ir.Domain) -> str:
+    """Meaning, where it was given, and declared range."""
+    parts = (domain.description.strip().rstrip("."), range_text(domain))
+    return "; ".join(part for part in parts if part) + "."
 
 
 def range_text(domain: ir.Domain) -> str:
@@ -208,7 +214,7 @@ def range_text(domain: ir.Domain) -> str:
     if domain.kind is ir.Kind.UNREAD:
         return "not read"
     if domain.kind is ir.Kind.MATRIX:
-        return f"orthonormal, by row, columns within {domain.tolerance:g}"
+        return f"rotation matrix, by row, orthonormal within {domain.tolerance:g}"
     return "range " + ", ".join(f"{lower:g} to {upper:g}" for lower, upper in pairs)
 
 

@@ -301,7 +301,9 @@ class Mapped:
             if any(slot in slots_of(output) for output in chosen)
         ]
         return {
-            "head": self._loop_head(f"{kernel.local}_lanes{suffix}", "static void", [block]),
+            "head": self._loop_head(
+                f"{kernel.local}_lanes{suffix}", f"static {kernel.target.macro}_WIDE void", [block]
+            ),
             **self._evaluation("lane"),
             "puts": self.statements(puts, 2),
         }
@@ -372,15 +374,15 @@ class Mapped:
             *(["codes"] if self.fallible else []),
         ]
         return {
-            "head": entry.prototype(kernel.target.status),
+            "head": entry.prototype(f"{kernel.target.macro}_WIDE {kernel.target.status}"),
             "pointers": comments.code(f"if ({entry.pointers}) {{"),
             "loop_head": self._loop_head(
                 name, f"{kernel.target.macro}_INLINE void", [*parameters, *codes]
             ),
             **self._evaluation("i"),
             "stores": self.statements((self._column_store(s, limit) for s in stores), 2),
-            "call": comments.code(call(name, passed) + ";", depth=4),
-            "common": self.statements(self._common_columns(), 4),
+            "call": comments.code(call(name, passed) + ";", depth=5),
+            "common": self.statements(self._common_columns(), 5),
             "clears": [line for s in stores for line in self._column_clear(s, limit)],
         }
 
@@ -396,9 +398,9 @@ class Mapped:
 
     def _column_clear(self, store: Store, limit: str) -> list[str]:
         if not is_jacobian(store.output):
-            return self.statements([call(store.clear, [self.row(store, "i")]) + ";"], 6)
+            return self.statements([call(store.clear, [self.row(store, "i")]) + ";"], 7)
         zero = self.kernel.target.literal(0.0)
-        indent = "    " * 6
+        indent = "    " * 7
         return [
             f"{indent}for (int32_t k = 0; k < {store.count}; ++k) {{",
             f"{indent}    {store.output.name}_nz[(k * {limit}) + i] = {zero};",

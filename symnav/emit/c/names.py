@@ -7,12 +7,9 @@ from collections.abc import Iterable
 
 from symnav import naming
 
-# Types of <stdint.h> and <stddef.h>, and functions that -Wshadow knows without a declaration.
+# Functions that -Wshadow knows without a declaration.
 _OTHER = frozenset(
-    (
-        *("int32_t", "uint32_t", "uint8_t", "size_t", "ptrdiff_t"),
-        *("index", "time", "signal", "main", "exp10", "pow10", "sincos", "remove", "rename"),
-    )
+    ("index", "time", "signal", "main", "exp10", "pow10", "sincos", "remove", "rename")
 )
 
 RESERVED = frozenset(
@@ -22,6 +19,8 @@ RESERVED = frozenset(
         *naming.CPP_KEYWORDS,
         *naming.MATH_NAMES,
         *naming.C_MACROS,
+        *naming.STANDARD_NAMES,
+        *naming.HELPER_NAMES,
         *_OTHER,
     )
 )

@@ -62,7 +62,7 @@ class _Writer:
 
     def loads(self) -> Iterator[str]:
         """One local for every element that is read."""
-        used = list(dict.fromkeys(_loads(self._function)))
+        used = dict.fromkeys(_loads(self._function))
         for argument in self._function.arguments:
             for domain in argument.domains:
                 for place in range(domain.size):

@@ -156,7 +156,7 @@ def _range(domain: ir.Domain) -> str:
     if domain.kind is ir.Kind.UNREAD:
         return "not read"
     if domain.kind is ir.Kind.MATRIX:
-        return "orthonormal, row by row"
+        return "rotation matrix, row by row"
     pairs = list(dict.fromkeys(zip(domain.lower, domain.upper, strict=True)))
     return "range " + ", ".join(f"[{shown(low)}, {shown(high)}]" for low, high in pairs)
 

@@ -260,7 +260,7 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_nz(
 }
 
 /* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static void gps_lanes(
+static EKF_CAL_GPS_WIDE void gps_lanes(
     int32_t count,
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT], ptrdiff_t x_step,
     const ekf_cal_gps_real_t measured[EKF_CAL_GPS_RESTRICT], ptrdiff_t measured_step,

@@ -235,7 +235,7 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_nz(
 }
 
 /* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static void gps_known_antenna_lanes(
+static EKF_CAL_GPS_WIDE void gps_known_antenna_lanes(
     int32_t count,
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT], ptrdiff_t x_step,
     const ekf_cal_gps_real_t lever_arm[EKF_CAL_GPS_RESTRICT], ptrdiff_t lever_arm_step,

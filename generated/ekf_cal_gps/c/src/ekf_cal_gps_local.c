@@ -99,7 +99,7 @@ ekf_cal_gps_status_t ekf_cal_gps_local(
 }
 
 /* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static void local_lanes(
+static EKF_CAL_GPS_WIDE void local_lanes(
     int32_t count,
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT], ptrdiff_t x_step,
     const ekf_cal_gps_real_t y[EKF_CAL_GPS_RESTRICT], ptrdiff_t y_step,

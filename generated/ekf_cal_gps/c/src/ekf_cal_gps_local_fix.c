@@ -221,7 +221,7 @@ ekf_cal_gps_status_t ekf_cal_gps_local_fix_nz(
 }
 
 /* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static void local_fix_lanes(
+static EKF_CAL_GPS_WIDE void local_fix_lanes(
     int32_t count,
     const ekf_cal_gps_real_t heading[EKF_CAL_GPS_RESTRICT], ptrdiff_t heading_step,
     const ekf_cal_gps_real_t fix[EKF_CAL_GPS_RESTRICT], ptrdiff_t fix_step,

@@ -101,7 +101,7 @@ ekf_cal_gps_status_t ekf_cal_gps_retract(
 }
 
 /* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static void retract_lanes(
+static EKF_CAL_GPS_WIDE void retract_lanes(
     int32_t count,
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT], ptrdiff_t x_step,
     const ekf_cal_gps_real_t d[EKF_CAL_GPS_RESTRICT], ptrdiff_t d_step,

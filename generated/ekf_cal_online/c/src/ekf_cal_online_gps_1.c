@@ -322,7 +322,7 @@ ekf_cal_online_status_t ekf_cal_online_gps_1_nz(
 }
 
 /* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static void gps_1_lanes(
+static EKF_CAL_ONLINE_WIDE void gps_1_lanes(
     int32_t count,
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT], ptrdiff_t x_step,
     const ekf_cal_online_real_t origin[EKF_CAL_ONLINE_RESTRICT], ptrdiff_t origin_step,

@@ -107,7 +107,7 @@ ekf_cal_online_status_t ekf_cal_online_local(
 }
 
 /* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static void local_lanes(
+static EKF_CAL_ONLINE_WIDE void local_lanes(
     int32_t count,
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT], ptrdiff_t x_step,
     const ekf_cal_online_real_t y[EKF_CAL_ONLINE_RESTRICT], ptrdiff_t y_step,

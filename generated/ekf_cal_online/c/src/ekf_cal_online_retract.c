@@ -109,7 +109,7 @@ ekf_cal_online_status_t ekf_cal_online_retract(
 }
 
 /* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static void retract_lanes(
+static EKF_CAL_ONLINE_WIDE void retract_lanes(
     int32_t count,
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT], ptrdiff_t x_step,
     const ekf_cal_online_real_t d[EKF_CAL_ONLINE_RESTRICT], ptrdiff_t d_step,

@@ -40,6 +40,14 @@
 #define FARRELL_TIGHTLY_COUPLED_IVDEP
 #endif
 
+/* Loops over items and epochs, also compiled for wide vector registers where whoever builds for
+   machines unknown asks for it; the loader of the program picks what the processor has. */
+#if defined(SYMNAV_DISPATCH)
+#define FARRELL_TIGHTLY_COUPLED_WIDE __attribute__((target_clones("avx2", "default")))
+#else
+#define FARRELL_TIGHTLY_COUPLED_WIDE
+#endif
+
 /* Flags and status codes inside kernels: an integer as wide as farrell_tightly_coupled_real_t, so that a vector
    register holds as many of one as of the other. */
 typedef uint64_t flag_t;
@@ -129,7 +137,8 @@ FARRELL_TIGHTLY_COUPLED_INLINE flag_t is_skewed_quaternion(
     return (fabs(excess) <= tolerance) ? (flag_t)0U : (flag_t)1U;
 }
 
-/* 1 when the columns of a 3 by 3 matrix are not orthonormal, else 0. */
+/* 1 when a 3 by 3 matrix is no rotation, else 0: the first two columns are orthonormal and the
+   third is their cross product, so that a reflection is refused as well. */
 FARRELL_TIGHTLY_COUPLED_INLINE flag_t is_skewed_matrix(
     farrell_tightly_coupled_real_t m00,
     farrell_tightly_coupled_real_t m01,
@@ -144,14 +153,14 @@ FARRELL_TIGHTLY_COUPLED_INLINE flag_t is_skewed_matrix(
 {
     const farrell_tightly_coupled_real_t e00 = ((m00 * m00) + (m10 * m10) + (m20 * m20)) - 1.0;
     const farrell_tightly_coupled_real_t e11 = ((m01 * m01) + (m11 * m11) + (m21 * m21)) - 1.0;
-    const farrell_tightly_coupled_real_t e22 = ((m02 * m02) + (m12 * m12) + (m22 * m22)) - 1.0;
     const farrell_tightly_coupled_real_t e01 = (m00 * m01) + (m10 * m11) + (m20 * m21);
-    const farrell_tightly_coupled_real_t e02 = (m00 * m02) + (m10 * m12) + (m20 * m22);
-    const farrell_tightly_coupled_real_t e12 = (m01 * m02) + (m11 * m12) + (m21 * m22);
+    const farrell_tightly_coupled_real_t e02 = ((m10 * m21) - (m20 * m11)) - m02;
+    const farrell_tightly_coupled_real_t e12 = ((m20 * m01) - (m00 * m21)) - m12;
+    const farrell_tightly_coupled_real_t e22 = ((m00 * m11) - (m10 * m01)) - m22;
 
     return ((fabs(e00) <= tolerance) && (fabs(e11) <= tolerance) &&
-            (fabs(e22) <= tolerance) && (fabs(e01) <= tolerance) &&
-            (fabs(e02) <= tolerance) && (fabs(e12) <= tolerance)) ? (flag_t)0U : (flag_t)1U;
+            (fabs(e01) <= tolerance) && (fabs(e02) <= tolerance) &&
+            (fabs(e12) <= tolerance) && (fabs(e22) <= tolerance)) ? (flag_t)0U : (flag_t)1U;
 }
 
 #endif /* FARRELL_TIGHTLY_COUPLED_CHECK_H */

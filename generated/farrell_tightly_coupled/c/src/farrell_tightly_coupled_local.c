@@ -92,7 +92,7 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_local(
 }
 
 /* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static void local_lanes(
+static FARRELL_TIGHTLY_COUPLED_WIDE void local_lanes(
     int32_t count,
     const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT], ptrdiff_t x_step,
     const farrell_tightly_coupled_real_t y[FARRELL_TIGHTLY_COUPLED_RESTRICT], ptrdiff_t y_step,

@@ -102,7 +102,7 @@ FARRELL_TIGHTLY_COUPLED_INLINE void pseudorange_clear_jacobian(
 }
 
 /* Evaluate a block of items; the compiler runs neighbouring items in one vector register. */
-static void pseudorange_lanes(
+static FARRELL_TIGHTLY_COUPLED_WIDE void pseudorange_lanes(
     const pseudorange_input_t *FARRELL_TIGHTLY_COUPLED_RESTRICT in,
     const pseudorange_shared_t *FARRELL_TIGHTLY_COUPLED_RESTRICT shared,
     int32_t count,
@@ -127,7 +127,7 @@ static void pseudorange_lanes(
 }
 
 /* Evaluate a block of items; the compiler runs neighbouring items in one vector register. */
-static void pseudorange_lanes_value(
+static FARRELL_TIGHTLY_COUPLED_WIDE void pseudorange_lanes_value(
     const pseudorange_input_t *FARRELL_TIGHTLY_COUPLED_RESTRICT in,
     const pseudorange_shared_t *FARRELL_TIGHTLY_COUPLED_RESTRICT shared,
     int32_t count,
@@ -150,7 +150,7 @@ static void pseudorange_lanes_value(
 }
 
 /* Evaluate a block of items; the compiler runs neighbouring items in one vector register. */
-static void pseudorange_lanes_jacobian(
+static FARRELL_TIGHTLY_COUPLED_WIDE void pseudorange_lanes_jacobian(
     const pseudorange_input_t *FARRELL_TIGHTLY_COUPLED_RESTRICT in,
     const pseudorange_shared_t *FARRELL_TIGHTLY_COUPLED_RESTRICT shared,
     int32_t count,
@@ -458,7 +458,8 @@ FARRELL_TIGHTLY_COUPLED_INLINE void pseudorange_columns(
     }
 }
 
-farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_nz(
+FARRELL_TIGHTLY_COUPLED_WIDE farrell_tightly_coupled_status_t
+    farrell_tightly_coupled_pseudorange_nz(
     const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT
         FARRELL_TIGHTLY_COUPLED_STATE_SIZE],
     int32_t n,
@@ -490,22 +491,22 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_nz(
             status = (farrell_tightly_coupled_status_t)pseudorange_load(x, c_n_e, origin, &in);
             if (status == FARRELL_TIGHTLY_COUPLED_OK) {
                 status = (farrell_tightly_coupled_status_t)pseudorange_shared(&in, &shared);
-            }
-            if (status == FARRELL_TIGHTLY_COUPLED_OK) {
-                flag_t codes[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS];
+                if (status == FARRELL_TIGHTLY_COUPLED_OK) {
+                    flag_t codes[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS];
 
-                pseudorange_columns(&in, &shared, n, satellite_position, measured, value, residual,
-                    jacobian_nz, codes);
-                for (int32_t i = 0; i < n; ++i) {
-                    item_status[i] = (uint8_t)codes[i];
-                    if (codes[i] != (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
-                        pseudorange_clear_value(&value[i]);
-                        pseudorange_clear_residual(&residual[i]);
-                        for (int32_t k = 0; k < 4; ++k) {
-                            jacobian_nz[(k * FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS) + i] =
-                                0.0;
+                    pseudorange_columns(&in, &shared, n, satellite_position, measured, value,
+                        residual, jacobian_nz, codes);
+                    for (int32_t i = 0; i < n; ++i) {
+                        item_status[i] = (uint8_t)codes[i];
+                        if (codes[i] != (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+                            pseudorange_clear_value(&value[i]);
+                            pseudorange_clear_residual(&residual[i]);
+                            for (int32_t k = 0; k < 4; ++k) {
+                                jacobian_nz[(k * FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS) +
+                                    i] = 0.0;
+                            }
+                            status = FARRELL_TIGHTLY_COUPLED_PARTIAL;
                         }
-                        status = FARRELL_TIGHTLY_COUPLED_PARTIAL;
                     }
                 }
             }

@@ -93,7 +93,7 @@ FARRELL_TIGHTLY_COUPLED_INLINE void pseudorange_lever_arm_clear_jacobian(
 }
 
 /* Evaluate a block of items; the compiler runs neighbouring items in one vector register. */
-static void pseudorange_lever_arm_lanes(
+static FARRELL_TIGHTLY_COUPLED_WIDE void pseudorange_lever_arm_lanes(
     const pseudorange_lever_arm_input_t *FARRELL_TIGHTLY_COUPLED_RESTRICT in,
     const pseudorange_lever_arm_shared_t *FARRELL_TIGHTLY_COUPLED_RESTRICT shared,
     int32_t count,
@@ -115,7 +115,7 @@ static void pseudorange_lever_arm_lanes(
 }
 
 /* Evaluate a block of items; the compiler runs neighbouring items in one vector register. */
-static void pseudorange_lever_arm_lanes_value(
+static FARRELL_TIGHTLY_COUPLED_WIDE void pseudorange_lever_arm_lanes_value(
     const pseudorange_lever_arm_input_t *FARRELL_TIGHTLY_COUPLED_RESTRICT in,
     const pseudorange_lever_arm_shared_t *FARRELL_TIGHTLY_COUPLED_RESTRICT shared,
     int32_t count,
@@ -135,7 +135,7 @@ static void pseudorange_lever_arm_lanes_value(
 }
 
 /* Evaluate a block of items; the compiler runs neighbouring items in one vector register. */
-static void pseudorange_lever_arm_lanes_jacobian(
+static FARRELL_TIGHTLY_COUPLED_WIDE void pseudorange_lever_arm_lanes_jacobian(
     const pseudorange_lever_arm_input_t *FARRELL_TIGHTLY_COUPLED_RESTRICT in,
     const pseudorange_lever_arm_shared_t *FARRELL_TIGHTLY_COUPLED_RESTRICT shared,
     int32_t count,
@@ -421,7 +421,8 @@ FARRELL_TIGHTLY_COUPLED_INLINE void pseudorange_lever_arm_columns(
     }
 }
 
-farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_lever_arm_nz(
+FARRELL_TIGHTLY_COUPLED_WIDE farrell_tightly_coupled_status_t
+    farrell_tightly_coupled_pseudorange_lever_arm_nz(
     const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT
         FARRELL_TIGHTLY_COUPLED_STATE_SIZE],
     int32_t n,
@@ -452,21 +453,22 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_lever_arm_n
             if (status == FARRELL_TIGHTLY_COUPLED_OK) {
                 status =
                     (farrell_tightly_coupled_status_t)pseudorange_lever_arm_shared(&in, &shared);
-            }
-            if (status == FARRELL_TIGHTLY_COUPLED_OK) {
-                flag_t codes[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS];
+                if (status == FARRELL_TIGHTLY_COUPLED_OK) {
+                    flag_t codes[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS];
 
-                pseudorange_lever_arm_columns(&in, &shared, n, satellite_position, value,
-                    jacobian_nz, codes);
-                for (int32_t i = 0; i < n; ++i) {
-                    item_status[i] = (uint8_t)codes[i];
-                    if (codes[i] != (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
-                        pseudorange_lever_arm_clear_value(&value[i]);
-                        for (int32_t k = 0; k < 7; ++k) {
-                            jacobian_nz[(k *
-                                FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS) + i] = 0.0;
+                    pseudorange_lever_arm_columns(&in, &shared, n, satellite_position, value,
+                        jacobian_nz, codes);
+                    for (int32_t i = 0; i < n; ++i) {
+                        item_status[i] = (uint8_t)codes[i];
+                        if (codes[i] != (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+                            pseudorange_lever_arm_clear_value(&value[i]);
+                            for (int32_t k = 0; k < 7; ++k) {
+                                jacobian_nz[(k *
+                                    FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS) + i] =
+                                    0.0;
+                            }
+                            status = FARRELL_TIGHTLY_COUPLED_PARTIAL;
                         }
-                        status = FARRELL_TIGHTLY_COUPLED_PARTIAL;
                     }
                 }
             }

@@ -94,7 +94,7 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_retract(
 }
 
 /* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static void retract_lanes(
+static FARRELL_TIGHTLY_COUPLED_WIDE void retract_lanes(
     int32_t count,
     const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT], ptrdiff_t x_step,
     const farrell_tightly_coupled_real_t d[FARRELL_TIGHTLY_COUPLED_RESTRICT], ptrdiff_t d_step,

@@ -40,6 +40,14 @@
 #define NAVTK_SPECIFIC_FORCE_IVDEP
 #endif
 
+/* Loops over items and epochs, also compiled for wide vector registers where whoever builds for
+   machines unknown asks for it; the loader of the program picks what the processor has. */
+#if defined(SYMNAV_DISPATCH)
+#define NAVTK_SPECIFIC_FORCE_WIDE __attribute__((target_clones("avx2", "default")))
+#else
+#define NAVTK_SPECIFIC_FORCE_WIDE
+#endif
+
 /* Flags and status codes inside kernels: an integer as wide as navtk_specific_force_real_t, so that a vector
    register holds as many of one as of the other. */
 typedef uint64_t flag_t;
@@ -134,7 +142,8 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t is_skewed_quaternion(
     return (fabs(excess) <= tolerance) ? (flag_t)0U : (flag_t)1U;
 }
 
-/* 1 when the columns of a 3 by 3 matrix are not orthonormal, else 0. */
+/* 1 when a 3 by 3 matrix is no rotation, else 0: the first two columns are orthonormal and the
+   third is their cross product, so that a reflection is refused as well. */
 NAVTK_SPECIFIC_FORCE_INLINE flag_t is_skewed_matrix(
     navtk_specific_force_real_t m00,
     navtk_specific_force_real_t m01,
@@ -149,14 +158,14 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t is_skewed_matrix(
 {
     const navtk_specific_force_real_t e00 = ((m00 * m00) + (m10 * m10) + (m20 * m20)) - 1.0;
     const navtk_specific_force_real_t e11 = ((m01 * m01) + (m11 * m11) + (m21 * m21)) - 1.0;
-    const navtk_specific_force_real_t e22 = ((m02 * m02) + (m12 * m12) + (m22 * m22)) - 1.0;
     const navtk_specific_force_real_t e01 = (m00 * m01) + (m10 * m11) + (m20 * m21);
-    const navtk_specific_force_real_t e02 = (m00 * m02) + (m10 * m12) + (m20 * m22);
-    const navtk_specific_force_real_t e12 = (m01 * m02) + (m11 * m12) + (m21 * m22);
+    const navtk_specific_force_real_t e02 = ((m10 * m21) - (m20 * m11)) - m02;
+    const navtk_specific_force_real_t e12 = ((m20 * m01) - (m00 * m21)) - m12;
+    const navtk_specific_force_real_t e22 = ((m00 * m11) - (m10 * m01)) - m22;
 
     return ((fabs(e00) <= tolerance) && (fabs(e11) <= tolerance) &&
-            (fabs(e22) <= tolerance) && (fabs(e01) <= tolerance) &&
-            (fabs(e02) <= tolerance) && (fabs(e12) <= tolerance)) ? (flag_t)0U : (flag_t)1U;
+            (fabs(e01) <= tolerance) && (fabs(e02) <= tolerance) &&
+            (fabs(e12) <= tolerance) && (fabs(e22) <= tolerance)) ? (flag_t)0U : (flag_t)1U;
 }
 
 #endif /* NAVTK_SPECIFIC_FORCE_CHECK_H */

@@ -90,7 +90,7 @@ navtk_specific_force_status_t navtk_specific_force_retract(
 }
 
 /* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static void retract_lanes(
+static NAVTK_SPECIFIC_FORCE_WIDE void retract_lanes(
     int32_t count,
     const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT], ptrdiff_t x_step,
     const navtk_specific_force_real_t d[NAVTK_SPECIFIC_FORCE_RESTRICT], ptrdiff_t d_step,

@@ -40,6 +40,14 @@
 #define ROVER_IVDEP
 #endif
 
+/* Loops over items and epochs, also compiled for wide vector registers where whoever builds for
+   machines unknown asks for it; the loader of the program picks what the processor has. */
+#if defined(SYMNAV_DISPATCH)
+#define ROVER_WIDE __attribute__((target_clones("avx2", "default")))
+#else
+#define ROVER_WIDE
+#endif
+
 /* Flags and status codes inside kernels: an integer as wide as rover_real_t, so that a vector
    register holds as many of one as of the other. */
 typedef uint64_t flag_t;

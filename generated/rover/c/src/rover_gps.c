@@ -224,7 +224,7 @@ rover_status_t rover_gps_nz(
 }
 
 /* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static void gps_lanes(
+static ROVER_WIDE void gps_lanes(
     int32_t count,
     const rover_real_t x[ROVER_RESTRICT], ptrdiff_t x_step,
     gps_block_t *ROVER_RESTRICT block)

@@ -228,7 +228,7 @@ rover_status_t rover_imu_nz(
 }
 
 /* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static void imu_lanes(
+static ROVER_WIDE void imu_lanes(
     int32_t count,
     const rover_real_t x[ROVER_RESTRICT], ptrdiff_t x_step,
     const rover_real_t delta_theta[ROVER_RESTRICT], ptrdiff_t delta_theta_step,

@@ -99,7 +99,7 @@ rover_status_t rover_local(
 }
 
 /* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static void local_lanes(
+static ROVER_WIDE void local_lanes(
     int32_t count,
     const rover_real_t x[ROVER_RESTRICT], ptrdiff_t x_step,
     const rover_real_t y[ROVER_RESTRICT], ptrdiff_t y_step,

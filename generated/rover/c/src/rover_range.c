@@ -113,7 +113,7 @@ ROVER_INLINE void range_clear_jacobian(rover_real_t dense[])
 }
 
 /* Evaluate a block of items; the compiler runs neighbouring items in one vector register. */
-static void range_lanes(
+static ROVER_WIDE void range_lanes(
     const range_input_t *ROVER_RESTRICT in,
     const range_shared_t *ROVER_RESTRICT shared,
     int32_t count,
@@ -141,7 +141,7 @@ static void range_lanes(
 }
 
 /* Evaluate a block of items; the compiler runs neighbouring items in one vector register. */
-static void range_lanes_value(
+static ROVER_WIDE void range_lanes_value(
     const range_input_t *ROVER_RESTRICT in,
     const range_shared_t *ROVER_RESTRICT shared,
     int32_t count,
@@ -168,7 +168,7 @@ static void range_lanes_value(
 }
 
 /* Evaluate a block of items; the compiler runs neighbouring items in one vector register. */
-static void range_lanes_jacobian(
+static ROVER_WIDE void range_lanes_jacobian(
     const range_input_t *ROVER_RESTRICT in,
     const range_shared_t *ROVER_RESTRICT shared,
     int32_t count,
@@ -469,7 +469,7 @@ ROVER_INLINE void range_columns(
     }
 }
 
-rover_status_t rover_range_nz(
+ROVER_WIDE rover_status_t rover_range_nz(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
     int32_t n,
     const rover_real_t nav_to_ecef[ROVER_RESTRICT 4],
@@ -499,21 +499,21 @@ rover_status_t rover_range_nz(
             status = (rover_status_t)range_load(x, nav_to_ecef, origin, &in);
             if (status == ROVER_OK) {
                 status = (rover_status_t)range_shared(&in, &shared);
-            }
-            if (status == ROVER_OK) {
-                flag_t codes[ROVER_RANGE_MAX_ITEMS];
+                if (status == ROVER_OK) {
+                    flag_t codes[ROVER_RANGE_MAX_ITEMS];
 
-                range_columns(&in, &shared, n, system, satellite_position, satellite_clock,
-                    troposphere, ionosphere, measured, value, residual, jacobian_nz, codes);
-                for (int32_t i = 0; i < n; ++i) {
-                    item_status[i] = (uint8_t)codes[i];
-                    if (codes[i] != (flag_t)ROVER_OK) {
-                        range_clear_value(&value[i]);
-                        range_clear_residual(&residual[i]);
-                        for (int32_t k = 0; k < 11; ++k) {
-                            jacobian_nz[(k * ROVER_RANGE_MAX_ITEMS) + i] = 0.0;
+                    range_columns(&in, &shared, n, system, satellite_position, satellite_clock,
+                        troposphere, ionosphere, measured, value, residual, jacobian_nz, codes);
+                    for (int32_t i = 0; i < n; ++i) {
+                        item_status[i] = (uint8_t)codes[i];
+                        if (codes[i] != (flag_t)ROVER_OK) {
+                            range_clear_value(&value[i]);
+                            range_clear_residual(&residual[i]);
+                            for (int32_t k = 0; k < 11; ++k) {
+                                jacobian_nz[(k * ROVER_RANGE_MAX_ITEMS) + i] = 0.0;
+                            }
+                            status = ROVER_PARTIAL;
                         }
-                        status = ROVER_PARTIAL;
                     }
                 }
             }

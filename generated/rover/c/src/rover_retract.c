@@ -101,7 +101,7 @@ rover_status_t rover_retract(
 }
 
 /* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static void retract_lanes(
+static ROVER_WIDE void retract_lanes(
     int32_t count,
     const rover_real_t x[ROVER_RESTRICT], ptrdiff_t x_step,
     const rover_real_t d[ROVER_RESTRICT], ptrdiff_t d_step,

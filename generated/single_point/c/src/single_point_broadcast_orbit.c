@@ -155,7 +155,7 @@ single_point_status_t single_point_broadcast_orbit(
 }
 
 /* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static void broadcast_orbit_lanes(
+static SINGLE_POINT_WIDE void broadcast_orbit_lanes(
     int32_t count,
     const single_point_real_t time_2[SINGLE_POINT_RESTRICT], ptrdiff_t time_2_step,
     const single_point_real_t toe[SINGLE_POINT_RESTRICT], ptrdiff_t toe_step,

@@ -65,7 +65,7 @@ single_point_status_t single_point_local(
 }
 
 /* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static void local_lanes(
+static SINGLE_POINT_WIDE void local_lanes(
     int32_t count,
     const single_point_real_t x[SINGLE_POINT_RESTRICT], ptrdiff_t x_step,
     const single_point_real_t y[SINGLE_POINT_RESTRICT], ptrdiff_t y_step,

@@ -90,7 +90,7 @@ static single_point_status_t pseudorange_without_sagnac_check_items(
 }
 
 /* Evaluate a block of items; the compiler runs neighbouring items in one vector register. */
-static void pseudorange_without_sagnac_lanes(
+static SINGLE_POINT_WIDE void pseudorange_without_sagnac_lanes(
     const pseudorange_without_sagnac_input_t *SINGLE_POINT_RESTRICT in,
     int32_t count,
     const single_point_real_t satellite_position[SINGLE_POINT_RESTRICT],
@@ -115,7 +115,7 @@ static void pseudorange_without_sagnac_lanes(
 }
 
 /* Evaluate a block of items; the compiler runs neighbouring items in one vector register. */
-static void pseudorange_without_sagnac_lanes_value(
+static SINGLE_POINT_WIDE void pseudorange_without_sagnac_lanes_value(
     const pseudorange_without_sagnac_input_t *SINGLE_POINT_RESTRICT in,
     int32_t count,
     const single_point_real_t satellite_position[SINGLE_POINT_RESTRICT],
@@ -138,7 +138,7 @@ static void pseudorange_without_sagnac_lanes_value(
 }
 
 /* Evaluate a block of items; the compiler runs neighbouring items in one vector register. */
-static void pseudorange_without_sagnac_lanes_jacobian(
+static SINGLE_POINT_WIDE void pseudorange_without_sagnac_lanes_jacobian(
     const pseudorange_without_sagnac_input_t *SINGLE_POINT_RESTRICT in,
     int32_t count,
     const single_point_real_t satellite_position[SINGLE_POINT_RESTRICT],
@@ -421,7 +421,7 @@ SINGLE_POINT_INLINE void pseudorange_without_sagnac_columns(
     }
 }
 
-single_point_status_t single_point_pseudorange_without_sagnac_nz(
+SINGLE_POINT_WIDE single_point_status_t single_point_pseudorange_without_sagnac_nz(
     const single_point_real_t x[SINGLE_POINT_RESTRICT SINGLE_POINT_STATE_SIZE],
     int32_t n,
     const single_point_real_t satellite_position[SINGLE_POINT_RESTRICT
@@ -450,18 +450,18 @@ single_point_status_t single_point_pseudorange_without_sagnac_nz(
             status = (single_point_status_t)pseudorange_without_sagnac_load(x, &in);
             if (status == SINGLE_POINT_OK) {
                 status = (single_point_status_t)pseudorange_without_sagnac_shared();
-            }
-            if (status == SINGLE_POINT_OK) {
-                status = pseudorange_without_sagnac_check_items(&in, n, satellite_position,
-                    satellite_clock, troposphere, ionosphere, item_status);
-            }
-            if (status == SINGLE_POINT_OK) {
-                flag_t codes[SINGLE_POINT_PSEUDORANGE_WITHOUT_SAGNAC_MAX_ITEMS];
+                if (status == SINGLE_POINT_OK) {
+                    status = pseudorange_without_sagnac_check_items(&in, n, satellite_position,
+                        satellite_clock, troposphere, ionosphere, item_status);
+                }
+                if (status == SINGLE_POINT_OK) {
+                    flag_t codes[SINGLE_POINT_PSEUDORANGE_WITHOUT_SAGNAC_MAX_ITEMS];
 
-                pseudorange_without_sagnac_columns(&in, n, satellite_position, satellite_clock,
-                    troposphere, ionosphere, value, jacobian_nz, codes);
-                for (int32_t i = 0; i < n; ++i) {
-                    item_status[i] = (uint8_t)codes[i];
+                    pseudorange_without_sagnac_columns(&in, n, satellite_position, satellite_clock,
+                        troposphere, ionosphere, value, jacobian_nz, codes);
+                    for (int32_t i = 0; i < n; ++i) {
+                        item_status[i] = (uint8_t)codes[i];
+                    }
                 }
             }
         }

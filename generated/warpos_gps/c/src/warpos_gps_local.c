@@ -87,7 +87,7 @@ warpos_gps_status_t warpos_gps_local(
 }
 
 /* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static void local_lanes(
+static WARPOS_GPS_WIDE void local_lanes(
     int32_t count,
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT], ptrdiff_t x_step,
     const warpos_gps_real_t y[WARPOS_GPS_RESTRICT], ptrdiff_t y_step,

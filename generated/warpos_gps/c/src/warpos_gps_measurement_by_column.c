@@ -188,7 +188,7 @@ warpos_gps_status_t warpos_gps_measurement_by_column_nz(
 }
 
 /* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static void measurement_by_column_lanes(
+static WARPOS_GPS_WIDE void measurement_by_column_lanes(
     int32_t count,
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT], ptrdiff_t x_step,
     measurement_by_column_block_t *WARPOS_GPS_RESTRICT block)

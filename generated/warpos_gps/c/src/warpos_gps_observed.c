@@ -181,7 +181,7 @@ warpos_gps_status_t warpos_gps_observed_nz(
 }
 
 /* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static void observed_lanes(
+static WARPOS_GPS_WIDE void observed_lanes(
     int32_t count,
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT], ptrdiff_t x_step,
     const warpos_gps_real_t observer_attitude[WARPOS_GPS_RESTRICT], ptrdiff_t

@@ -107,7 +107,7 @@ warpos_gps_status_t warpos_gps_to_state_frame(
 }
 
 /* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static void to_state_frame_lanes(
+static WARPOS_GPS_WIDE void to_state_frame_lanes(
     int32_t count,
     const warpos_gps_real_t observer_attitude[WARPOS_GPS_RESTRICT], ptrdiff_t
         observer_attitude_step,

@@ -35,8 +35,8 @@ extern "C" {
  *                     -1e+09 to 1e+09.
  * @param[out]  value  [22] Value of the equation.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 ekf_cal_gps_status_t ekf_cal_gps_retract(
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT EKF_CAL_GPS_STATE_SIZE],
@@ -84,14 +84,14 @@ ekf_cal_gps_status_t ekf_cal_gps_retract_batch(
  * Outputs are written only when the status is OK. Inputs and outputs must not overlap. Reentrant.
  *
  * @param[in]   x      State vector; its blocks, units and ranges stand in the header of the types.
- * @param[in]   y      [22] m in l: ; range -1e+06 to 1e+06. m/s in l: ; range -1e+09 to 1e+09.
- *                     m/s^2 in l: ; range -1e+09 to 1e+09. b -> l: ; unit quaternion, order w x y
- *                     z, q.q = 1 within 1e-05. rad/s in l: ; range -1e+09 to 1e+09. rad/s^2 in l: ;
- *                     range -1e+09 to 1e+09. m in b: ; range -50 to 50.
+ * @param[in]   y      [22] m in l: range -1e+06 to 1e+06. m/s in l: range -1e+09 to 1e+09. m/s^2 in
+ *                     l: range -1e+09 to 1e+09. b -> l: unit quaternion, order w x y z, q.q = 1
+ *                     within 1e-05. rad/s in l: range -1e+09 to 1e+09. rad/s^2 in l: range -1e+09
+ *                     to 1e+09. m in b: range -50 to 50.
  * @param[out]  value  [21] Value of the equation.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 ekf_cal_gps_status_t ekf_cal_gps_local(
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT EKF_CAL_GPS_STATE_SIZE],
@@ -106,10 +106,10 @@ ekf_cal_gps_status_t ekf_cal_gps_local(
  * @param[in]   epochs  Number of epochs.
  * @param[in]   x       State vector; its blocks, units and ranges stand in the header of the types.
  * @param[in]   x_step  Elements from one epoch of x to the next; 0 for the same.
- * @param[in]   y       [22] m in l: ; range -1e+06 to 1e+06. m/s in l: ; range -1e+09 to 1e+09.
- *                      m/s^2 in l: ; range -1e+09 to 1e+09. b -> l: ; unit quaternion, order w x y
- *                      z, q.q = 1 within 1e-05. rad/s in l: ; range -1e+09 to 1e+09. rad/s^2 in l:
- *                      ; range -1e+09 to 1e+09. m in b: ; range -50 to 50.
+ * @param[in]   y       [22] m in l: range -1e+06 to 1e+06. m/s in l: range -1e+09 to 1e+09. m/s^2
+ *                      in l: range -1e+09 to 1e+09. b -> l: unit quaternion, order w x y z, q.q = 1
+ *                      within 1e-05. rad/s in l: range -1e+09 to 1e+09. rad/s^2 in l: range -1e+09
+ *                      to 1e+09. m in b: range -50 to 50.
  * @param[in]   y_step  Elements from one epoch of y to the next; 0 for the same.
  * @param[out]  value   As in one call, epoch after epoch, by row: [epochs x 21].
  * @param[out]  status  Status of every epoch, one byte each.
@@ -163,8 +163,8 @@ static const int32_t ekf_cal_gps_gps_jacobian_columns[21] = {
  * @param[out]  residual  [3] m in l: Measured less predicted value.
  * @param[out]  jacobian  [3 x 21] Derivative of the value by the error of the state, by row.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 ekf_cal_gps_status_t ekf_cal_gps_gps(
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT EKF_CAL_GPS_STATE_SIZE],
@@ -184,8 +184,8 @@ ekf_cal_gps_status_t ekf_cal_gps_gps(
  * @param[out]  value     [3] m in l: Value of the equation.
  * @param[out]  residual  [3] m in l: Measured less predicted value.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 ekf_cal_gps_status_t ekf_cal_gps_gps_value(
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT EKF_CAL_GPS_STATE_SIZE],
@@ -203,8 +203,8 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_value(
  * @param[in]   measured  [3] m in l: Measured value; range -1e+09 to 1e+09.
  * @param[out]  jacobian  [3 x 21] Derivative of the value by the error of the state, by row.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 ekf_cal_gps_status_t ekf_cal_gps_gps_jacobian(
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT EKF_CAL_GPS_STATE_SIZE],
@@ -223,8 +223,8 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_jacobian(
  * @param[out]  residual     [3] m in l: Measured less predicted value.
  * @param[out]  jacobian_nz  The 21 structural non-zeros of jacobian, in the order of the tables.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 ekf_cal_gps_status_t ekf_cal_gps_gps_nz(
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT EKF_CAL_GPS_STATE_SIZE],
@@ -300,8 +300,8 @@ static const int32_t ekf_cal_gps_gps_known_antenna_jacobian_columns[12] = {
  * @param[out]  residual   [3] m in l: Measured less predicted value.
  * @param[out]  jacobian   [3 x 21] Derivative of the value by the error of the state, by row.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna(
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT EKF_CAL_GPS_STATE_SIZE],
@@ -324,8 +324,8 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna(
  * @param[out]  value      [3] m in l: Value of the equation.
  * @param[out]  residual   [3] m in l: Measured less predicted value.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_value(
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT EKF_CAL_GPS_STATE_SIZE],
@@ -346,8 +346,8 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_value(
  * @param[in]   measured   [3] m in l: Measured value; range -1e+09 to 1e+09.
  * @param[out]  jacobian   [3 x 21] Derivative of the value by the error of the state, by row.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_jacobian(
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT EKF_CAL_GPS_STATE_SIZE],
@@ -369,8 +369,8 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_jacobian(
  * @param[out]  residual     [3] m in l: Measured less predicted value.
  * @param[out]  jacobian_nz  The 12 structural non-zeros of jacobian, in the order of the tables.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_nz(
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT EKF_CAL_GPS_STATE_SIZE],

@@ -36,8 +36,8 @@ extern "C" {
  *                     antenna_2; range -1e+09 to 1e+09.
  * @param[out]  value  [26] Value of the equation.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 ekf_cal_online_status_t ekf_cal_online_retract(
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT EKF_CAL_ONLINE_STATE_SIZE],
@@ -86,15 +86,15 @@ ekf_cal_online_status_t ekf_cal_online_retract_batch(
  * Outputs are written only when the status is OK. Inputs and outputs must not overlap. Reentrant.
  *
  * @param[in]   x      State vector; its blocks, units and ranges stand in the header of the types.
- * @param[in]   y      [26] m in l: ; range -1e+06 to 1e+06. m/s in l: ; range -1e+09 to 1e+09.
- *                     m/s^2 in l: ; range -1e+09 to 1e+09. b -> l: ; unit quaternion, order w x y
- *                     z, q.q = 1 within 1e-05. rad/s in l: ; range -1e+09 to 1e+09. rad/s^2 in l: ;
- *                     range -1e+09 to 1e+09. rad g -> l: ; range -3.14159 to 3.14159. m in b: ;
- *                     range -50 to 50. m in b: ; range -50 to 50.
+ * @param[in]   y      [26] m in l: range -1e+06 to 1e+06. m/s in l: range -1e+09 to 1e+09. m/s^2 in
+ *                     l: range -1e+09 to 1e+09. b -> l: unit quaternion, order w x y z, q.q = 1
+ *                     within 1e-05. rad/s in l: range -1e+09 to 1e+09. rad/s^2 in l: range -1e+09
+ *                     to 1e+09. rad g -> l: range -3.14159 to 3.14159. m in b: range -50 to 50. m
+ *                     in b: range -50 to 50.
  * @param[out]  value  [25] Value of the equation.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 ekf_cal_online_status_t ekf_cal_online_local(
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT EKF_CAL_ONLINE_STATE_SIZE],
@@ -109,11 +109,11 @@ ekf_cal_online_status_t ekf_cal_online_local(
  * @param[in]   epochs  Number of epochs.
  * @param[in]   x       State vector; its blocks, units and ranges stand in the header of the types.
  * @param[in]   x_step  Elements from one epoch of x to the next; 0 for the same.
- * @param[in]   y       [26] m in l: ; range -1e+06 to 1e+06. m/s in l: ; range -1e+09 to 1e+09.
- *                      m/s^2 in l: ; range -1e+09 to 1e+09. b -> l: ; unit quaternion, order w x y
- *                      z, q.q = 1 within 1e-05. rad/s in l: ; range -1e+09 to 1e+09. rad/s^2 in l:
- *                      ; range -1e+09 to 1e+09. rad g -> l: ; range -3.14159 to 3.14159. m in b: ;
- *                      range -50 to 50. m in b: ; range -50 to 50.
+ * @param[in]   y       [26] m in l: range -1e+06 to 1e+06. m/s in l: range -1e+09 to 1e+09. m/s^2
+ *                      in l: range -1e+09 to 1e+09. b -> l: unit quaternion, order w x y z, q.q = 1
+ *                      within 1e-05. rad/s in l: range -1e+09 to 1e+09. rad/s^2 in l: range -1e+09
+ *                      to 1e+09. rad g -> l: range -3.14159 to 3.14159. m in b: range -50 to 50. m
+ *                      in b: range -50 to 50.
  * @param[in]   y_step  Elements from one epoch of y to the next; 0 for the same.
  * @param[out]  value   As in one call, epoch after epoch, by row: [epochs x 25].
  * @param[out]  status  Status of every epoch, one byte each.
@@ -187,8 +187,8 @@ static const int32_t ekf_cal_online_gps_1_jacobian_origin_columns[3] = {
  * @param[out]  jacobian         [3 x 25] Derivative of the value by the error of the state, by row.
  * @param[out]  jacobian_origin  [3 x 3] Derivative of the value by origin, by row.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 ekf_cal_online_status_t ekf_cal_online_gps_1(
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT EKF_CAL_ONLINE_STATE_SIZE],
@@ -212,8 +212,8 @@ ekf_cal_online_status_t ekf_cal_online_gps_1(
  * @param[out]  value     [3] m in g: Value of the equation.
  * @param[out]  residual  [3] m in g: Measured less predicted value.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 ekf_cal_online_status_t ekf_cal_online_gps_1_value(
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT EKF_CAL_ONLINE_STATE_SIZE],
@@ -235,8 +235,8 @@ ekf_cal_online_status_t ekf_cal_online_gps_1_value(
  * @param[out]  jacobian         [3 x 25] Derivative of the value by the error of the state, by row.
  * @param[out]  jacobian_origin  [3 x 3] Derivative of the value by origin, by row.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 ekf_cal_online_status_t ekf_cal_online_gps_1_jacobian(
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT EKF_CAL_ONLINE_STATE_SIZE],
@@ -262,8 +262,8 @@ ekf_cal_online_status_t ekf_cal_online_gps_1_jacobian(
  * @param[out]  jacobian_origin_nz  The 3 structural non-zeros of jacobian_origin, in the order of
  *                                  the tables.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 ekf_cal_online_status_t ekf_cal_online_gps_1_nz(
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT EKF_CAL_ONLINE_STATE_SIZE],
@@ -368,8 +368,8 @@ static const int32_t ekf_cal_online_gps_2_jacobian_origin_columns[3] = {
  * @param[out]  jacobian         [3 x 25] Derivative of the value by the error of the state, by row.
  * @param[out]  jacobian_origin  [3 x 3] Derivative of the value by origin, by row.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 ekf_cal_online_status_t ekf_cal_online_gps_2(
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT EKF_CAL_ONLINE_STATE_SIZE],
@@ -393,8 +393,8 @@ ekf_cal_online_status_t ekf_cal_online_gps_2(
  * @param[out]  value     [3] m in g: Value of the equation.
  * @param[out]  residual  [3] m in g: Measured less predicted value.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 ekf_cal_online_status_t ekf_cal_online_gps_2_value(
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT EKF_CAL_ONLINE_STATE_SIZE],
@@ -416,8 +416,8 @@ ekf_cal_online_status_t ekf_cal_online_gps_2_value(
  * @param[out]  jacobian         [3 x 25] Derivative of the value by the error of the state, by row.
  * @param[out]  jacobian_origin  [3 x 3] Derivative of the value by origin, by row.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 ekf_cal_online_status_t ekf_cal_online_gps_2_jacobian(
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT EKF_CAL_ONLINE_STATE_SIZE],
@@ -443,8 +443,8 @@ ekf_cal_online_status_t ekf_cal_online_gps_2_jacobian(
  * @param[out]  jacobian_origin_nz  The 3 structural non-zeros of jacobian_origin, in the order of
  *                                  the tables.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 ekf_cal_online_status_t ekf_cal_online_gps_2_nz(
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT EKF_CAL_ONLINE_STATE_SIZE],

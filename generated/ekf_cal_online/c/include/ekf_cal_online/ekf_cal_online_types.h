@@ -37,7 +37,7 @@ typedef enum {
     EKF_CAL_ONLINE_RANGE = 2,  /* an input is not finite or outside its declared range */
     /* the equation has no value here: a guarded intermediate is singular */
     EKF_CAL_ONLINE_DOMAIN = 3,
-    EKF_CAL_ONLINE_QNORM = 4,  /* a quaternion is not of unit norm or a matrix not orthonormal */
+    EKF_CAL_ONLINE_QNORM = 4,  /* a quaternion is not of unit norm or a matrix no rotation */
     EKF_CAL_ONLINE_COUNT = 5,  /* a number of items or epochs is negative or above the maximum */
     EKF_CAL_ONLINE_INDEX = 6,  /* an index does not name an item */
     EKF_CAL_ONLINE_PARTIAL = 7,  /* some items or epochs failed; their own status says why */
@@ -46,15 +46,15 @@ typedef enum {
 /**
  * Storage of the state vector x: first element and size of every block.
  *
- * - position (vector): ; range -1e+06 to 1e+06. additive, true minus estimate
- * - velocity (vector): ; range -1e+09 to 1e+09. additive, true minus estimate
- * - acceleration (vector): ; range -1e+09 to 1e+09. additive, true minus estimate
- * - attitude (rotation): ; unit quaternion, order w x y z, q.q = 1 within 1e-05. R Exp(d)
- * - angular_rate (vector): ; range -1e+09 to 1e+09. additive, true minus estimate
- * - angular_acceleration (vector): ; range -1e+09 to 1e+09. additive, true minus estimate
- * - heading (heading): ; range -3.14159 to 3.14159. additive, wrapped to (-pi, pi]
- * - antenna_1 (vector): ; range -50 to 50. additive, true minus estimate
- * - antenna_2 (vector): ; range -50 to 50. additive, true minus estimate
+ * - position (vector): range -1e+06 to 1e+06. additive, true minus estimate
+ * - velocity (vector): range -1e+09 to 1e+09. additive, true minus estimate
+ * - acceleration (vector): range -1e+09 to 1e+09. additive, true minus estimate
+ * - attitude (rotation): unit quaternion, order w x y z, q.q = 1 within 1e-05. R Exp(d)
+ * - angular_rate (vector): range -1e+09 to 1e+09. additive, true minus estimate
+ * - angular_acceleration (vector): range -1e+09 to 1e+09. additive, true minus estimate
+ * - heading (heading): range -3.14159 to 3.14159. additive, wrapped to (-pi, pi]
+ * - antenna_1 (vector): range -50 to 50. additive, true minus estimate
+ * - antenna_2 (vector): range -50 to 50. additive, true minus estimate
  */
 enum {
     EKF_CAL_ONLINE_X_POSITION = 0,  /* x y z, m, l */

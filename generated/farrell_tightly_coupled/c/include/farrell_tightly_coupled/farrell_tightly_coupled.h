@@ -34,8 +34,8 @@ extern "C" {
  *                     -1e+09 to 1e+09.
  * @param[out]  value  [18] Value of the equation.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 farrell_tightly_coupled_status_t farrell_tightly_coupled_retract(
     const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT
@@ -91,8 +91,8 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_retract_batch(
  *                     rad/s in b: Gyro bias; range -1e+09 to 1e+09.
  * @param[out]  value  [17] Value of the equation.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 farrell_tightly_coupled_status_t farrell_tightly_coupled_local(
     const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT
@@ -165,7 +165,7 @@ static const int32_t farrell_tightly_coupled_pseudorange_jacobian_columns[4] = {
  * @param[in]   n                   Number of items, at most
  *                                  FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS.
  * @param[in]   c_n_e               [9] n -> e: Attitude of the navigation frame in the earth-fixed
- *                                  frame; orthonormal, by row, columns within 1e-05.
+ *                                  frame; rotation matrix, by row, orthonormal within 1e-05.
  * @param[in]   origin              [3] m in e: Origin of the navigation frame, earth-fixed; range
  *                                  -1e+08 to 1e+08.
  * @param[in]   satellite_position  [n x 3] m in e: Satellite, earth-fixed; range -1e+08 to 1e+08.
@@ -177,9 +177,9 @@ static const int32_t farrell_tightly_coupled_pseudorange_jacobian_columns[4] = {
  * @param[out]  item_status         [n] Status of every item, one byte each.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
  *         outside its declared range), DOMAIN (the equation has no value here: a guarded
- *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal), COUNT (a number of items or epochs is negative or above the maximum),
- *         PARTIAL (some items or epochs failed; their own status says why).
+ *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation), COUNT (a number of items or epochs is negative or above the maximum), PARTIAL
+ *         (some items or epochs failed; their own status says why).
  */
 farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange(
     const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT
@@ -210,7 +210,7 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange(
  * @param[in]   n                   Number of items, at most
  *                                  FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS.
  * @param[in]   c_n_e               [9] n -> e: Attitude of the navigation frame in the earth-fixed
- *                                  frame; orthonormal, by row, columns within 1e-05.
+ *                                  frame; rotation matrix, by row, orthonormal within 1e-05.
  * @param[in]   origin              [3] m in e: Origin of the navigation frame, earth-fixed; range
  *                                  -1e+08 to 1e+08.
  * @param[in]   satellite_position  [n x 3] m in e: Satellite, earth-fixed; range -1e+08 to 1e+08.
@@ -220,9 +220,9 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange(
  * @param[out]  item_status         [n] Status of every item, one byte each.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
  *         outside its declared range), DOMAIN (the equation has no value here: a guarded
- *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal), COUNT (a number of items or epochs is negative or above the maximum),
- *         PARTIAL (some items or epochs failed; their own status says why).
+ *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation), COUNT (a number of items or epochs is negative or above the maximum), PARTIAL
+ *         (some items or epochs failed; their own status says why).
  */
 farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_value(
     const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT
@@ -251,7 +251,7 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_value(
  * @param[in]   n                   Number of items, at most
  *                                  FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS.
  * @param[in]   c_n_e               [9] n -> e: Attitude of the navigation frame in the earth-fixed
- *                                  frame; orthonormal, by row, columns within 1e-05.
+ *                                  frame; rotation matrix, by row, orthonormal within 1e-05.
  * @param[in]   origin              [3] m in e: Origin of the navigation frame, earth-fixed; range
  *                                  -1e+08 to 1e+08.
  * @param[in]   satellite_position  [n x 3] m in e: Satellite, earth-fixed; range -1e+08 to 1e+08.
@@ -261,9 +261,9 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_value(
  * @param[out]  item_status         [n] Status of every item, one byte each.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
  *         outside its declared range), DOMAIN (the equation has no value here: a guarded
- *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal), COUNT (a number of items or epochs is negative or above the maximum),
- *         PARTIAL (some items or epochs failed; their own status says why).
+ *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation), COUNT (a number of items or epochs is negative or above the maximum), PARTIAL
+ *         (some items or epochs failed; their own status says why).
  */
 farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_jacobian(
     const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT
@@ -291,7 +291,7 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_jacobian(
  * @param[in]   n                   Number of items, at most
  *                                  FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS.
  * @param[in]   c_n_e               [9] n -> e: Attitude of the navigation frame in the earth-fixed
- *                                  frame; orthonormal, by row, columns within 1e-05.
+ *                                  frame; rotation matrix, by row, orthonormal within 1e-05.
  * @param[in]   origin              [3] m in e: Origin of the navigation frame, earth-fixed; range
  *                                  -1e+08 to 1e+08.
  * @param[in]   satellite_position  [n x 3] m in e: Satellite, earth-fixed; range -1e+08 to 1e+08.
@@ -304,9 +304,9 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_jacobian(
  * @param[out]  item_status         [n] Status of every item, one byte each.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
  *         outside its declared range), DOMAIN (the equation has no value here: a guarded
- *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal), COUNT (a number of items or epochs is negative or above the maximum),
- *         PARTIAL (some items or epochs failed; their own status says why).
+ *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation), COUNT (a number of items or epochs is negative or above the maximum), PARTIAL
+ *         (some items or epochs failed; their own status says why).
  */
 farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_nz(
     const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT
@@ -340,8 +340,8 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_nz(
  * @param[in]   n                        Number of items, at most
  *                                       FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS.
  * @param[in]   c_n_e                    [9] n -> e: Attitude of the navigation frame in the
- *                                       earth-fixed frame; orthonormal, by row, columns within
- *                                       1e-05.
+ *                                       earth-fixed frame; rotation matrix, by row, orthonormal
+ *                                       within 1e-05.
  * @param[in]   c_n_e_step               Elements from one epoch of c_n_e to the next; 0 for the
  *                                       same.
  * @param[in]   origin                   [3] m in e: Origin of the navigation frame, earth-fixed;
@@ -397,7 +397,7 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_batch(
  *                                  FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS.
  * @param[in]   reference           The item that is subtracted, from 0.
  * @param[in]   c_n_e               [9] n -> e: Attitude of the navigation frame in the earth-fixed
- *                                  frame; orthonormal, by row, columns within 1e-05.
+ *                                  frame; rotation matrix, by row, orthonormal within 1e-05.
  * @param[in]   origin              [3] m in e: Origin of the navigation frame, earth-fixed; range
  *                                  -1e+08 to 1e+08.
  * @param[in]   satellite_position  [n x 3] m in e: Satellite, earth-fixed; range -1e+08 to 1e+08.
@@ -409,8 +409,8 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_batch(
  * @param[out]  item_status         [n] Status of every item, one byte each.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
  *         outside its declared range), DOMAIN (the equation has no value here: a guarded
- *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal), COUNT (a number of items or epochs is negative or above the maximum), INDEX
+ *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation), COUNT (a number of items or epochs is negative or above the maximum), INDEX
  *         (an index does not name an item), PARTIAL (some items or epochs failed; their own status
  *         says why).
  */
@@ -511,7 +511,7 @@ static const int32_t farrell_tightly_coupled_pseudorange_lever_arm_jacobian_colu
  * @param[in]   n                   Number of items, at most
  *                                  FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS.
  * @param[in]   c_n_e               [9] n -> e: Attitude of the navigation frame in the earth-fixed
- *                                  frame; orthonormal, by row, columns within 1e-05.
+ *                                  frame; rotation matrix, by row, orthonormal within 1e-05.
  * @param[in]   origin              [3] m in e: Origin of the navigation frame, earth-fixed; range
  *                                  -1e+08 to 1e+08.
  * @param[in]   lever_arm           [3] m in b: Antenna from the body origin, in the body frame;
@@ -523,9 +523,9 @@ static const int32_t farrell_tightly_coupled_pseudorange_lever_arm_jacobian_colu
  * @param[out]  item_status         [n] Status of every item, one byte each.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
  *         outside its declared range), DOMAIN (the equation has no value here: a guarded
- *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal), COUNT (a number of items or epochs is negative or above the maximum),
- *         PARTIAL (some items or epochs failed; their own status says why).
+ *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation), COUNT (a number of items or epochs is negative or above the maximum), PARTIAL
+ *         (some items or epochs failed; their own status says why).
  */
 farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_lever_arm(
     const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT
@@ -553,7 +553,7 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_lever_arm(
  * @param[in]   n                   Number of items, at most
  *                                  FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS.
  * @param[in]   c_n_e               [9] n -> e: Attitude of the navigation frame in the earth-fixed
- *                                  frame; orthonormal, by row, columns within 1e-05.
+ *                                  frame; rotation matrix, by row, orthonormal within 1e-05.
  * @param[in]   origin              [3] m in e: Origin of the navigation frame, earth-fixed; range
  *                                  -1e+08 to 1e+08.
  * @param[in]   lever_arm           [3] m in b: Antenna from the body origin, in the body frame;
@@ -563,9 +563,9 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_lever_arm(
  * @param[out]  item_status         [n] Status of every item, one byte each.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
  *         outside its declared range), DOMAIN (the equation has no value here: a guarded
- *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal), COUNT (a number of items or epochs is negative or above the maximum),
- *         PARTIAL (some items or epochs failed; their own status says why).
+ *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation), COUNT (a number of items or epochs is negative or above the maximum), PARTIAL
+ *         (some items or epochs failed; their own status says why).
  */
 farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_lever_arm_value(
     const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT
@@ -591,7 +591,7 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_lever_arm_v
  * @param[in]   n                   Number of items, at most
  *                                  FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS.
  * @param[in]   c_n_e               [9] n -> e: Attitude of the navigation frame in the earth-fixed
- *                                  frame; orthonormal, by row, columns within 1e-05.
+ *                                  frame; rotation matrix, by row, orthonormal within 1e-05.
  * @param[in]   origin              [3] m in e: Origin of the navigation frame, earth-fixed; range
  *                                  -1e+08 to 1e+08.
  * @param[in]   lever_arm           [3] m in b: Antenna from the body origin, in the body frame;
@@ -602,9 +602,9 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_lever_arm_v
  * @param[out]  item_status         [n] Status of every item, one byte each.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
  *         outside its declared range), DOMAIN (the equation has no value here: a guarded
- *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal), COUNT (a number of items or epochs is negative or above the maximum),
- *         PARTIAL (some items or epochs failed; their own status says why).
+ *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation), COUNT (a number of items or epochs is negative or above the maximum), PARTIAL
+ *         (some items or epochs failed; their own status says why).
  */
 farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_lever_arm_jacobian(
     const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT
@@ -631,7 +631,7 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_lever_arm_j
  * @param[in]   n                   Number of items, at most
  *                                  FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS.
  * @param[in]   c_n_e               [9] n -> e: Attitude of the navigation frame in the earth-fixed
- *                                  frame; orthonormal, by row, columns within 1e-05.
+ *                                  frame; rotation matrix, by row, orthonormal within 1e-05.
  * @param[in]   origin              [3] m in e: Origin of the navigation frame, earth-fixed; range
  *                                  -1e+08 to 1e+08.
  * @param[in]   lever_arm           [3] m in b: Antenna from the body origin, in the body frame;
@@ -644,9 +644,9 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_lever_arm_j
  * @param[out]  item_status         [n] Status of every item, one byte each.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
  *         outside its declared range), DOMAIN (the equation has no value here: a guarded
- *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal), COUNT (a number of items or epochs is negative or above the maximum),
- *         PARTIAL (some items or epochs failed; their own status says why).
+ *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation), COUNT (a number of items or epochs is negative or above the maximum), PARTIAL
+ *         (some items or epochs failed; their own status says why).
  */
 farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_lever_arm_nz(
     const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT
@@ -677,8 +677,8 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_lever_arm_n
  * @param[in]   n                        Number of items, at most
  *                                       FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS.
  * @param[in]   c_n_e                    [9] n -> e: Attitude of the navigation frame in the
- *                                       earth-fixed frame; orthonormal, by row, columns within
- *                                       1e-05.
+ *                                       earth-fixed frame; rotation matrix, by row, orthonormal
+ *                                       within 1e-05.
  * @param[in]   c_n_e_step               Elements from one epoch of c_n_e to the next; 0 for the
  *                                       same.
  * @param[in]   origin                   [3] m in e: Origin of the navigation frame, earth-fixed;
@@ -733,7 +733,7 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_lever_arm_b
  *                                  FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS.
  * @param[in]   reference           The item that is subtracted, from 0.
  * @param[in]   c_n_e               [9] n -> e: Attitude of the navigation frame in the earth-fixed
- *                                  frame; orthonormal, by row, columns within 1e-05.
+ *                                  frame; rotation matrix, by row, orthonormal within 1e-05.
  * @param[in]   origin              [3] m in e: Origin of the navigation frame, earth-fixed; range
  *                                  -1e+08 to 1e+08.
  * @param[in]   lever_arm           [3] m in b: Antenna from the body origin, in the body frame;
@@ -745,8 +745,8 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_lever_arm_b
  * @param[out]  item_status         [n] Status of every item, one byte each.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
  *         outside its declared range), DOMAIN (the equation has no value here: a guarded
- *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal), COUNT (a number of items or epochs is negative or above the maximum), INDEX
+ *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation), COUNT (a number of items or epochs is negative or above the maximum), INDEX
  *         (an index does not name an item), PARTIAL (some items or epochs failed; their own status
  *         says why).
  */

@@ -37,7 +37,7 @@ typedef enum {
     FARRELL_TIGHTLY_COUPLED_RANGE = 2,  /* an input is not finite or outside its declared range */
     /* the equation has no value here: a guarded intermediate is singular */
     FARRELL_TIGHTLY_COUPLED_DOMAIN = 3,
-    /* a quaternion is not of unit norm or a matrix not orthonormal */
+    /* a quaternion is not of unit norm or a matrix no rotation */
     FARRELL_TIGHTLY_COUPLED_QNORM = 4,
     /* a number of items or epochs is negative or above the maximum */
     FARRELL_TIGHTLY_COUPLED_COUNT = 5,

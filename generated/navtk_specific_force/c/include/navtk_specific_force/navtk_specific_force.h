@@ -33,8 +33,8 @@ extern "C" {
  *                     Error of gyro_bias; range -1e+09 to 1e+09.
  * @param[out]  value  [16] Value of the equation.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 navtk_specific_force_status_t navtk_specific_force_retract(
     const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT
@@ -81,13 +81,13 @@ navtk_specific_force_status_t navtk_specific_force_retract_batch(
  * Outputs are written only when the status is OK. Inputs and outputs must not overlap. Reentrant.
  *
  * @param[in]   x      State vector; its blocks, units and ranges stand in the header of the types.
- * @param[in]   y      [16] m in n: ; range -1e+09 to 1e+09. m/s in n: ; range -1e+09 to 1e+09. s ->
- *                     n: ; unit quaternion, order w x y z, q.q = 1 within 1e-05. m/s^2 in s: ;
- *                     range -1 to 1. rad/s in s: ; range -0.1 to 0.1.
+ * @param[in]   y      [16] m in n: range -1e+09 to 1e+09. m/s in n: range -1e+09 to 1e+09. s -> n:
+ *                     unit quaternion, order w x y z, q.q = 1 within 1e-05. m/s^2 in s: range -1 to
+ *                     1. rad/s in s: range -0.1 to 0.1.
  * @param[out]  value  [15] Value of the equation.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 navtk_specific_force_status_t navtk_specific_force_local(
     const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT
@@ -103,9 +103,9 @@ navtk_specific_force_status_t navtk_specific_force_local(
  * @param[in]   epochs  Number of epochs.
  * @param[in]   x       State vector; its blocks, units and ranges stand in the header of the types.
  * @param[in]   x_step  Elements from one epoch of x to the next; 0 for the same.
- * @param[in]   y       [16] m in n: ; range -1e+09 to 1e+09. m/s in n: ; range -1e+09 to 1e+09. s
- *                      -> n: ; unit quaternion, order w x y z, q.q = 1 within 1e-05. m/s^2 in s: ;
- *                      range -1 to 1. rad/s in s: ; range -0.1 to 0.1.
+ * @param[in]   y       [16] m in n: range -1e+09 to 1e+09. m/s in n: range -1e+09 to 1e+09. s -> n:
+ *                      unit quaternion, order w x y z, q.q = 1 within 1e-05. m/s^2 in s: range -1
+ *                      to 1. rad/s in s: range -0.1 to 0.1.
  * @param[in]   y_step  Elements from one epoch of y to the next; 0 for the same.
  * @param[out]  value   As in one call, epoch after epoch, by row: [epochs x 15].
  * @param[out]  status  Status of every epoch, one byte each.
@@ -204,8 +204,8 @@ static const int32_t navtk_specific_force_calc_force_jacobian_dt_columns[3] = {
  * Operations: 24 additions, 21 subtractions, 124 multiplications, 2 divisions, 6 neg.
  * Outputs are written only when the status is OK. Inputs and outputs must not overlap. Reentrant.
  *
- * @param[in]   dcm                      [9] s -> n: C, attitude of the body at the epoch;
- *                                       orthonormal, by row, columns within 1e-05.
+ * @param[in]   dcm                      [9] s -> n: C, attitude of the body at the epoch; rotation
+ *                                       matrix, by row, orthonormal within 1e-05.
  * @param[in]   delta_theta              [3] rad in s: Angle increments, oldest sub-sample first;
  *                                       range -0.5 to 0.5.
  * @param[in]   delta_velocity           [3] m/s in s: Velocity increments, oldest sub-sample first;
@@ -217,8 +217,8 @@ static const int32_t navtk_specific_force_calc_force_jacobian_dt_columns[3] = {
  * @param[out]  jacobian_delta_velocity  [3 x 3] Derivative of the value by delta_velocity, by row.
  * @param[out]  jacobian_dt              [3 x 1] Derivative of the value by dt, by row.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 navtk_specific_force_status_t navtk_specific_force_calc_force(
     const navtk_specific_force_real_t dcm[NAVTK_SPECIFIC_FORCE_RESTRICT 9],
@@ -236,8 +236,8 @@ navtk_specific_force_status_t navtk_specific_force_calc_force(
  *
  * See navtk_specific_force_calc_force for the equation.
  *
- * @param[in]   dcm             [9] s -> n: C, attitude of the body at the epoch; orthonormal, by
- *                              row, columns within 1e-05.
+ * @param[in]   dcm             [9] s -> n: C, attitude of the body at the epoch; rotation matrix,
+ *                              by row, orthonormal within 1e-05.
  * @param[in]   delta_theta     [3] rad in s: Angle increments, oldest sub-sample first; range -0.5
  *                              to 0.5.
  * @param[in]   delta_velocity  [3] m/s in s: Velocity increments, oldest sub-sample first; range
@@ -245,8 +245,8 @@ navtk_specific_force_status_t navtk_specific_force_calc_force(
  * @param[in]   dt              [1] s: Length of the interval; range 1e-05 to 0.05.
  * @param[out]  value           [3] m/s^2 in n: Value of the equation.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 navtk_specific_force_status_t navtk_specific_force_calc_force_value(
     const navtk_specific_force_real_t dcm[NAVTK_SPECIFIC_FORCE_RESTRICT 9],
@@ -260,8 +260,8 @@ navtk_specific_force_status_t navtk_specific_force_calc_force_value(
  *
  * See navtk_specific_force_calc_force for the equation.
  *
- * @param[in]   dcm                      [9] s -> n: C, attitude of the body at the epoch;
- *                                       orthonormal, by row, columns within 1e-05.
+ * @param[in]   dcm                      [9] s -> n: C, attitude of the body at the epoch; rotation
+ *                                       matrix, by row, orthonormal within 1e-05.
  * @param[in]   delta_theta              [3] rad in s: Angle increments, oldest sub-sample first;
  *                                       range -0.5 to 0.5.
  * @param[in]   delta_velocity           [3] m/s in s: Velocity increments, oldest sub-sample first;
@@ -272,8 +272,8 @@ navtk_specific_force_status_t navtk_specific_force_calc_force_value(
  * @param[out]  jacobian_delta_velocity  [3 x 3] Derivative of the value by delta_velocity, by row.
  * @param[out]  jacobian_dt              [3 x 1] Derivative of the value by dt, by row.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 navtk_specific_force_status_t navtk_specific_force_calc_force_jacobian(
     const navtk_specific_force_real_t dcm[NAVTK_SPECIFIC_FORCE_RESTRICT 9],
@@ -292,7 +292,7 @@ navtk_specific_force_status_t navtk_specific_force_calc_force_jacobian(
  * See navtk_specific_force_calc_force for the equation.
  *
  * @param[in]   dcm                         [9] s -> n: C, attitude of the body at the epoch;
- *                                          orthonormal, by row, columns within 1e-05.
+ *                                          rotation matrix, by row, orthonormal within 1e-05.
  * @param[in]   delta_theta                 [3] rad in s: Angle increments, oldest sub-sample first;
  *                                          range -0.5 to 0.5.
  * @param[in]   delta_velocity              [3] m/s in s: Velocity increments, oldest sub-sample
@@ -308,8 +308,8 @@ navtk_specific_force_status_t navtk_specific_force_calc_force_jacobian(
  * @param[out]  jacobian_dt_nz              The 3 structural non-zeros of jacobian_dt, in the order
  *                                          of the tables.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 navtk_specific_force_status_t navtk_specific_force_calc_force_nz(
     const navtk_specific_force_real_t dcm[NAVTK_SPECIFIC_FORCE_RESTRICT 9],
@@ -328,8 +328,8 @@ navtk_specific_force_status_t navtk_specific_force_calc_force_nz(
  * See navtk_specific_force_calc_force for the equation.
  *
  * @param[in]   epochs                   Number of epochs.
- * @param[in]   dcm                      [9] s -> n: C, attitude of the body at the epoch;
- *                                       orthonormal, by row, columns within 1e-05.
+ * @param[in]   dcm                      [9] s -> n: C, attitude of the body at the epoch; rotation
+ *                                       matrix, by row, orthonormal within 1e-05.
  * @param[in]   dcm_step                 Elements from one epoch of dcm to the next; 0 for the same.
  * @param[in]   delta_theta              [3] rad in s: Angle increments, oldest sub-sample first;
  *                                       range -0.5 to 0.5.
@@ -470,8 +470,8 @@ static const int32_t navtk_specific_force_force_jacobian_dt_columns[3] = {
  * @param[out]  jacobian_delta_velocity  [3 x 3] Derivative of the value by delta_velocity, by row.
  * @param[out]  jacobian_dt              [3 x 1] Derivative of the value by dt, by row.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 navtk_specific_force_status_t navtk_specific_force_force(
     const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT
@@ -499,8 +499,8 @@ navtk_specific_force_status_t navtk_specific_force_force(
  * @param[in]   dt              [1] s: Length of the interval; range 1e-05 to 0.05.
  * @param[out]  value           [3] m/s^2 in n: Value of the equation.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 navtk_specific_force_status_t navtk_specific_force_force_value(
     const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT
@@ -528,8 +528,8 @@ navtk_specific_force_status_t navtk_specific_force_force_value(
  * @param[out]  jacobian_delta_velocity  [3 x 3] Derivative of the value by delta_velocity, by row.
  * @param[out]  jacobian_dt              [3 x 1] Derivative of the value by dt, by row.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 navtk_specific_force_status_t navtk_specific_force_force_jacobian(
     const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT
@@ -565,8 +565,8 @@ navtk_specific_force_status_t navtk_specific_force_force_jacobian(
  * @param[out]  jacobian_dt_nz              The 3 structural non-zeros of jacobian_dt, in the order
  *                                          of the tables.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 navtk_specific_force_status_t navtk_specific_force_force_nz(
     const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT

@@ -37,8 +37,7 @@ typedef enum {
     NAVTK_SPECIFIC_FORCE_RANGE = 2,  /* an input is not finite or outside its declared range */
     /* the equation has no value here: a guarded intermediate is singular */
     NAVTK_SPECIFIC_FORCE_DOMAIN = 3,
-    /* a quaternion is not of unit norm or a matrix not orthonormal */
-    NAVTK_SPECIFIC_FORCE_QNORM = 4,
+    NAVTK_SPECIFIC_FORCE_QNORM = 4,  /* a quaternion is not of unit norm or a matrix no rotation */
     /* a number of items or epochs is negative or above the maximum */
     NAVTK_SPECIFIC_FORCE_COUNT = 5,
     NAVTK_SPECIFIC_FORCE_INDEX = 6,  /* an index does not name an item */
@@ -48,11 +47,11 @@ typedef enum {
 /**
  * Storage of the state vector x: first element and size of every block.
  *
- * - position (vector): ; range -1e+09 to 1e+09. additive, true minus estimate
- * - velocity (vector): ; range -1e+09 to 1e+09. additive, true minus estimate
- * - attitude (rotation): ; unit quaternion, order w x y z, q.q = 1 within 1e-05. Exp(-d) R
- * - accelerometer_bias (vector): ; range -1 to 1. additive, true minus estimate
- * - gyro_bias (vector): ; range -0.1 to 0.1. additive, true minus estimate
+ * - position (vector): range -1e+09 to 1e+09. additive, true minus estimate
+ * - velocity (vector): range -1e+09 to 1e+09. additive, true minus estimate
+ * - attitude (rotation): unit quaternion, order w x y z, q.q = 1 within 1e-05. Exp(-d) R
+ * - accelerometer_bias (vector): range -1 to 1. additive, true minus estimate
+ * - gyro_bias (vector): range -0.1 to 0.1. additive, true minus estimate
  */
 enum {
     NAVTK_SPECIFIC_FORCE_X_POSITION = 0,  /* x y z, m, n */

@@ -35,8 +35,8 @@ extern "C" {
  *                     b_galileo; range -1e+09 to 1e+09. m/s: Error of drift; range -1e+09 to 1e+09.
  * @param[out]  value  [22] Value of the equation.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 rover_status_t rover_retract(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
@@ -85,15 +85,14 @@ rover_status_t rover_retract_batch(
  * Outputs are written only when the status is OK. Inputs and outputs must not overlap. Reentrant.
  *
  * @param[in]   x      State vector; its blocks, units and ranges stand in the header of the types.
- * @param[in]   y      [22] m in n: ; range -100000 to 100000. m/s in n: ; range -1e+09 to 1e+09. b
- *                     -> n: ; unit quaternion, order w x y z, q.q = 1 within 1e-05. m/s^2 in b: ;
- *                     range -1 to 1. rad/s in b: ; range -0.1 to 0.1. m in b: ; range -10 to 10. m:
- *                     ; range -1e+06 to 1e+06. m: ; range -1e+06 to 1e+06. m/s: ; range -1e+09 to
- *                     1e+09.
+ * @param[in]   y      [22] m in n: range -100000 to 100000. m/s in n: range -1e+09 to 1e+09. b ->
+ *                     n: unit quaternion, order w x y z, q.q = 1 within 1e-05. m/s^2 in b: range -1
+ *                     to 1. rad/s in b: range -0.1 to 0.1. m in b: range -10 to 10. m: range -1e+06
+ *                     to 1e+06. m: range -1e+06 to 1e+06. m/s: range -1e+09 to 1e+09.
  * @param[out]  value  [21] Value of the equation.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 rover_status_t rover_local(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
@@ -108,11 +107,10 @@ rover_status_t rover_local(
  * @param[in]   epochs  Number of epochs.
  * @param[in]   x       State vector; its blocks, units and ranges stand in the header of the types.
  * @param[in]   x_step  Elements from one epoch of x to the next; 0 for the same.
- * @param[in]   y       [22] m in n: ; range -100000 to 100000. m/s in n: ; range -1e+09 to 1e+09. b
- *                      -> n: ; unit quaternion, order w x y z, q.q = 1 within 1e-05. m/s^2 in b: ;
- *                      range -1 to 1. rad/s in b: ; range -0.1 to 0.1. m in b: ; range -10 to 10.
- *                      m: ; range -1e+06 to 1e+06. m: ; range -1e+06 to 1e+06. m/s: ; range -1e+09
- *                      to 1e+09.
+ * @param[in]   y       [22] m in n: range -100000 to 100000. m/s in n: range -1e+09 to 1e+09. b ->
+ *                      n: unit quaternion, order w x y z, q.q = 1 within 1e-05. m/s^2 in b: range
+ *                      -1 to 1. rad/s in b: range -0.1 to 0.1. m in b: range -10 to 10. m: range
+ *                      -1e+06 to 1e+06. m: range -1e+06 to 1e+06. m/s: range -1e+09 to 1e+09.
  * @param[in]   y_step  Elements from one epoch of y to the next; 0 for the same.
  * @param[out]  value   As in one call, epoch after epoch, by row: [epochs x 21].
  * @param[out]  status  Status of every epoch, one byte each.
@@ -164,8 +162,8 @@ static const int32_t rover_gps_jacobian_columns[21] = {
  * @param[out]  value     [3] m in n: Value of the equation.
  * @param[out]  jacobian  [3 x 21] Derivative of the value by the error of the state, by row.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 rover_status_t rover_gps(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
@@ -180,8 +178,8 @@ rover_status_t rover_gps(
  * @param[in]   x      State vector; its blocks, units and ranges stand in the header of the types.
  * @param[out]  value  [3] m in n: Value of the equation.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 rover_status_t rover_gps_value(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
@@ -196,8 +194,8 @@ rover_status_t rover_gps_value(
  *                        types.
  * @param[out]  jacobian  [3 x 21] Derivative of the value by the error of the state, by row.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 rover_status_t rover_gps_jacobian(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
@@ -213,8 +211,8 @@ rover_status_t rover_gps_jacobian(
  * @param[out]  value        [3] m in n: Value of the equation.
  * @param[out]  jacobian_nz  The 21 structural non-zeros of jacobian, in the order of the tables.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 rover_status_t rover_gps_nz(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
@@ -298,9 +296,9 @@ static const int32_t rover_range_jacobian_columns[11] = {
  * @param[out]  item_status         [n] Status of every item, one byte each.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
  *         outside its declared range), DOMAIN (the equation has no value here: a guarded
- *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal), COUNT (a number of items or epochs is negative or above the maximum),
- *         PARTIAL (some items or epochs failed; their own status says why).
+ *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation), COUNT (a number of items or epochs is negative or above the maximum), PARTIAL
+ *         (some items or epochs failed; their own status says why).
  */
 rover_status_t rover_range(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
@@ -343,9 +341,9 @@ rover_status_t rover_range(
  * @param[out]  item_status         [n] Status of every item, one byte each.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
  *         outside its declared range), DOMAIN (the equation has no value here: a guarded
- *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal), COUNT (a number of items or epochs is negative or above the maximum),
- *         PARTIAL (some items or epochs failed; their own status says why).
+ *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation), COUNT (a number of items or epochs is negative or above the maximum), PARTIAL
+ *         (some items or epochs failed; their own status says why).
  */
 rover_status_t rover_range_value(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
@@ -387,9 +385,9 @@ rover_status_t rover_range_value(
  * @param[out]  item_status         [n] Status of every item, one byte each.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
  *         outside its declared range), DOMAIN (the equation has no value here: a guarded
- *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal), COUNT (a number of items or epochs is negative or above the maximum),
- *         PARTIAL (some items or epochs failed; their own status says why).
+ *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation), COUNT (a number of items or epochs is negative or above the maximum), PARTIAL
+ *         (some items or epochs failed; their own status says why).
  */
 rover_status_t rover_range_jacobian(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
@@ -434,9 +432,9 @@ rover_status_t rover_range_jacobian(
  * @param[out]  item_status         [n] Status of every item, one byte each.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
  *         outside its declared range), DOMAIN (the equation has no value here: a guarded
- *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal), COUNT (a number of items or epochs is negative or above the maximum),
- *         PARTIAL (some items or epochs failed; their own status says why).
+ *         intermediate is singular), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation), COUNT (a number of items or epochs is negative or above the maximum), PARTIAL
+ *         (some items or epochs failed; their own status says why).
  */
 rover_status_t rover_range_nz(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
@@ -575,8 +573,8 @@ static const int32_t rover_imu_jacobian_columns[27] = {
  * @param[out]  value           [3] m/s^2 in n: Value of the equation.
  * @param[out]  jacobian        [3 x 21] Derivative of the value by the error of the state, by row.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 rover_status_t rover_imu(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
@@ -600,8 +598,8 @@ rover_status_t rover_imu(
  * @param[in]   dt              [1] s: Length of the interval; range 1e-05 to 0.05.
  * @param[out]  value           [3] m/s^2 in n: Value of the equation.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 rover_status_t rover_imu_value(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
@@ -624,8 +622,8 @@ rover_status_t rover_imu_value(
  * @param[in]   dt              [1] s: Length of the interval; range 1e-05 to 0.05.
  * @param[out]  jacobian        [3 x 21] Derivative of the value by the error of the state, by row.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 rover_status_t rover_imu_jacobian(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
@@ -650,8 +648,8 @@ rover_status_t rover_imu_jacobian(
  * @param[out]  value           [3] m/s^2 in n: Value of the equation.
  * @param[out]  jacobian_nz     The 27 structural non-zeros of jacobian, in the order of the tables.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 rover_status_t rover_imu_nz(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],

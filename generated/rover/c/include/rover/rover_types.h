@@ -36,7 +36,7 @@ typedef enum {
     ROVER_NULL = 1,  /* a pointer is null */
     ROVER_RANGE = 2,  /* an input is not finite or outside its declared range */
     ROVER_DOMAIN = 3,  /* the equation has no value here: a guarded intermediate is singular */
-    ROVER_QNORM = 4,  /* a quaternion is not of unit norm or a matrix not orthonormal */
+    ROVER_QNORM = 4,  /* a quaternion is not of unit norm or a matrix no rotation */
     ROVER_COUNT = 5,  /* a number of items or epochs is negative or above the maximum */
     ROVER_INDEX = 6,  /* an index does not name an item */
     ROVER_PARTIAL = 7,  /* some items or epochs failed; their own status says why */
@@ -45,15 +45,15 @@ typedef enum {
 /**
  * Storage of the state vector x: first element and size of every block.
  *
- * - position (vector): ; range -100000 to 100000. additive, true minus estimate
- * - velocity (vector): ; range -1e+09 to 1e+09. additive, true minus estimate
- * - attitude (rotation): ; unit quaternion, order w x y z, q.q = 1 within 1e-05. R Exp(d)
- * - accelerometer_bias (vector): ; range -1 to 1. additive, true minus estimate
- * - gyro_bias (vector): ; range -0.1 to 0.1. additive, true minus estimate
- * - antenna (vector): ; range -10 to 10. additive, true minus estimate
- * - b_gps (scalar): ; range -1e+06 to 1e+06. additive, true minus estimate
- * - b_galileo (scalar): ; range -1e+06 to 1e+06. additive, true minus estimate
- * - drift (scalar): ; range -1e+09 to 1e+09. additive, true minus estimate
+ * - position (vector): range -100000 to 100000. additive, true minus estimate
+ * - velocity (vector): range -1e+09 to 1e+09. additive, true minus estimate
+ * - attitude (rotation): unit quaternion, order w x y z, q.q = 1 within 1e-05. R Exp(d)
+ * - accelerometer_bias (vector): range -1 to 1. additive, true minus estimate
+ * - gyro_bias (vector): range -0.1 to 0.1. additive, true minus estimate
+ * - antenna (vector): range -10 to 10. additive, true minus estimate
+ * - b_gps (scalar): range -1e+06 to 1e+06. additive, true minus estimate
+ * - b_galileo (scalar): range -1e+06 to 1e+06. additive, true minus estimate
+ * - drift (scalar): range -1e+09 to 1e+09. additive, true minus estimate
  */
 enum {
     ROVER_X_POSITION = 0,  /* x y z, m, n */

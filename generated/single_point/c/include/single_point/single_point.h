@@ -73,7 +73,7 @@ single_point_status_t single_point_retract_batch(
  * Outputs are written only when the status is OK. Inputs and outputs must not overlap. Reentrant.
  *
  * @param[in]   x      State vector; its blocks, units and ranges stand in the header of the types.
- * @param[in]   y      [4] m in e: ; range -1e+07 to 1e+07. m: ; range -1e+08 to 1e+08.
+ * @param[in]   y      [4] m in e: range -1e+07 to 1e+07. m: range -1e+08 to 1e+08.
  * @param[out]  value  [4] Value of the equation.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
  *         outside its declared range).
@@ -91,7 +91,7 @@ single_point_status_t single_point_local(
  * @param[in]   epochs  Number of epochs.
  * @param[in]   x       State vector; its blocks, units and ranges stand in the header of the types.
  * @param[in]   x_step  Elements from one epoch of x to the next; 0 for the same.
- * @param[in]   y       [4] m in e: ; range -1e+07 to 1e+07. m: ; range -1e+08 to 1e+08.
+ * @param[in]   y       [4] m in e: range -1e+07 to 1e+07. m: range -1e+08 to 1e+08.
  * @param[in]   y_step  Elements from one epoch of y to the next; 0 for the same.
  * @param[out]  value   As in one call, epoch after epoch, by row: [epochs x 4].
  * @param[out]  status  Status of every epoch, one byte each.

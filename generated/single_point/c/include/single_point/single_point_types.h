@@ -37,7 +37,7 @@ typedef enum {
     SINGLE_POINT_RANGE = 2,  /* an input is not finite or outside its declared range */
     /* the equation has no value here: a guarded intermediate is singular */
     SINGLE_POINT_DOMAIN = 3,
-    SINGLE_POINT_QNORM = 4,  /* a quaternion is not of unit norm or a matrix not orthonormal */
+    SINGLE_POINT_QNORM = 4,  /* a quaternion is not of unit norm or a matrix no rotation */
     SINGLE_POINT_COUNT = 5,  /* a number of items or epochs is negative or above the maximum */
     SINGLE_POINT_INDEX = 6,  /* an index does not name an item */
     SINGLE_POINT_PARTIAL = 7,  /* some items or epochs failed; their own status says why */
@@ -46,8 +46,8 @@ typedef enum {
 /**
  * Storage of the state vector x: first element and size of every block.
  *
- * - position (vector): ; range -1e+07 to 1e+07. additive, true minus estimate
- * - clock_bias (scalar): ; range -1e+08 to 1e+08. additive, true minus estimate
+ * - position (vector): range -1e+07 to 1e+07. additive, true minus estimate
+ * - clock_bias (scalar): range -1e+08 to 1e+08. additive, true minus estimate
  */
 enum {
     SINGLE_POINT_X_POSITION = 0,  /* x y z, m, e */

@@ -73,8 +73,8 @@ warpos_gps_status_t warpos_gps_retract_batch(
  * Outputs are written only when the status is OK. Inputs and outputs must not overlap. Reentrant.
  *
  * @param[in]   x      State vector; its blocks, units and ranges stand in the header of the types.
- * @param[in]   y      [15] ; range -1e+09 to 1e+09. m in f: ; range -1e+09 to 1e+09. ; range -1e+09
- *                     to 1e+09.
+ * @param[in]   y      [15] range -1e+09 to 1e+09. m in f: range -1e+09 to 1e+09. range -1e+09 to
+ *                     1e+09.
  * @param[out]  value  [15] Value of the equation.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
  *         outside its declared range).
@@ -92,8 +92,8 @@ warpos_gps_status_t warpos_gps_local(
  * @param[in]   epochs  Number of epochs.
  * @param[in]   x       State vector; its blocks, units and ranges stand in the header of the types.
  * @param[in]   x_step  Elements from one epoch of x to the next; 0 for the same.
- * @param[in]   y       [15] ; range -1e+09 to 1e+09. m in f: ; range -1e+09 to 1e+09. ; range
- *                      -1e+09 to 1e+09.
+ * @param[in]   y       [15] range -1e+09 to 1e+09. m in f: range -1e+09 to 1e+09. range -1e+09 to
+ *                      1e+09.
  * @param[in]   y_step  Elements from one epoch of y to the next; 0 for the same.
  * @param[out]  value   As in one call, epoch after epoch, by row: [epochs x 15].
  * @param[out]  status  Status of every epoch, one byte each.
@@ -368,8 +368,8 @@ static const int32_t warpos_gps_observed_jacobian_columns[9] = {
  * @param[out]  jacobian           [3 x 15] Derivative of the value by the error of the state, by
  *                                 row.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 warpos_gps_status_t warpos_gps_observed(
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT WARPOS_GPS_STATE_SIZE],
@@ -388,8 +388,8 @@ warpos_gps_status_t warpos_gps_observed(
  *                                 quaternion, order w x y z, q.q = 1 within 1e-05.
  * @param[out]  value              [3] m in ref: Value of the equation.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 warpos_gps_status_t warpos_gps_observed_value(
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT WARPOS_GPS_STATE_SIZE],
@@ -408,8 +408,8 @@ warpos_gps_status_t warpos_gps_observed_value(
  * @param[out]  jacobian           [3 x 15] Derivative of the value by the error of the state, by
  *                                 row.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 warpos_gps_status_t warpos_gps_observed_jacobian(
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT WARPOS_GPS_STATE_SIZE],
@@ -429,8 +429,8 @@ warpos_gps_status_t warpos_gps_observed_jacobian(
  * @param[out]  jacobian_nz        The 9 structural non-zeros of jacobian, in the order of the
  *                                 tables.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 warpos_gps_status_t warpos_gps_observed_nz(
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT WARPOS_GPS_STATE_SIZE],
@@ -505,8 +505,8 @@ static const int32_t warpos_gps_observed_by_column_jacobian_columns[9] = {
  * @param[out]  jacobian           [3 x 15] Derivative of the value by the error of the state, by
  *                                 column (3 from one to the next).
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 warpos_gps_status_t warpos_gps_observed_by_column(
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT WARPOS_GPS_STATE_SIZE],
@@ -525,8 +525,8 @@ warpos_gps_status_t warpos_gps_observed_by_column(
  *                                 quaternion, order w x y z, q.q = 1 within 1e-05.
  * @param[out]  value              [3] m in ref: Value of the equation.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 warpos_gps_status_t warpos_gps_observed_by_column_value(
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT WARPOS_GPS_STATE_SIZE],
@@ -545,8 +545,8 @@ warpos_gps_status_t warpos_gps_observed_by_column_value(
  * @param[out]  jacobian           [3 x 15] Derivative of the value by the error of the state, by
  *                                 column (3 from one to the next).
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 warpos_gps_status_t warpos_gps_observed_by_column_jacobian(
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT WARPOS_GPS_STATE_SIZE],
@@ -566,8 +566,8 @@ warpos_gps_status_t warpos_gps_observed_by_column_jacobian(
  * @param[out]  jacobian_nz        The 9 structural non-zeros of jacobian, in the order of the
  *                                 tables.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 warpos_gps_status_t warpos_gps_observed_by_column_nz(
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT WARPOS_GPS_STATE_SIZE],
@@ -631,8 +631,8 @@ warpos_gps_status_t warpos_gps_observed_by_column_batch(
  * @param[out]  value              [3] m in f: Value of the equation.
  * @param[out]  value_covariance   [9] m^2: Covariance of the value, row-major.
  * @return OK (every output was written), NULL (a pointer is null), RANGE (an input is not finite or
- *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix not
- *         orthonormal).
+ *         outside its declared range), QNORM (a quaternion is not of unit norm or a matrix no
+ *         rotation).
  */
 warpos_gps_status_t warpos_gps_to_state_frame(
     const warpos_gps_real_t observer_attitude[WARPOS_GPS_RESTRICT 4],

@@ -36,7 +36,7 @@ typedef enum {
     WARPOS_GPS_NULL = 1,  /* a pointer is null */
     WARPOS_GPS_RANGE = 2,  /* an input is not finite or outside its declared range */
     WARPOS_GPS_DOMAIN = 3,  /* the equation has no value here: a guarded intermediate is singular */
-    WARPOS_GPS_QNORM = 4,  /* a quaternion is not of unit norm or a matrix not orthonormal */
+    WARPOS_GPS_QNORM = 4,  /* a quaternion is not of unit norm or a matrix no rotation */
     WARPOS_GPS_COUNT = 5,  /* a number of items or epochs is negative or above the maximum */
     WARPOS_GPS_INDEX = 6,  /* an index does not name an item */
     WARPOS_GPS_PARTIAL = 7,  /* some items or epochs failed; their own status says why */
@@ -45,9 +45,9 @@ typedef enum {
 /**
  * Storage of the state vector x: first element and size of every block.
  *
- * - leading (vector): ; range -1e+09 to 1e+09. additive, true minus estimate
- * - position (vector): ; range -1e+09 to 1e+09. additive, true minus estimate
- * - trailing (vector): ; range -1e+09 to 1e+09. additive, true minus estimate
+ * - leading (vector): range -1e+09 to 1e+09. additive, true minus estimate
+ * - position (vector): range -1e+09 to 1e+09. additive, true minus estimate
+ * - trailing (vector): range -1e+09 to 1e+09. additive, true minus estimate
  */
 enum {
     WARPOS_GPS_X_LEADING = 0,  /* 0 1 2 3 */

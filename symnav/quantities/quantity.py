@@ -15,7 +15,14 @@ import sympy as sp
 
 from symnav import units
 from symnav.errors import EquationError
-from symnav.graph import ONE, ZERO, Graph, Guard, Matrix, Row, identity, rows_of, transpose
+from symnav.graph import (
+    ZERO,
+    Graph,
+    Guard,
+    Matrix,
+    Row,
+    identity,
+)
 from symnav.units import Unit
 
 #: The smallest squared length a direction may have: 1 micrometre, for ranges in metres.
@@ -65,7 +72,7 @@ class Quantity:
                 "use dot(a, b), cross(a, b) or rotate(attitude, a)"
             )
         scalar, vector = (self, other) if self.size == 1 else (other, self)
-        factor = _named(scalar).elements[0] if vector.size > 1 else scalar.elements[0]
+        factor = named(scalar).elements[0] if vector.size > 1 else scalar.elements[0]
         return Quantity(
             self.graph,
             tuple(factor * a for a in vector.elements),
@@ -94,47 +101,6 @@ class Quantity:
             raise EquationError(f"{self.describe()} cannot be {verb} a plain number")
         if self.size != other.size or self.unit != other.unit or self.frame != other.frame:
             raise EquationError(f"{self.describe()} cannot be {verb} {other.describe()}")
-
-
-@dataclass(frozen=True)
-class Rotation:
-    """A rotation matrix from one frame to another, and the tangent it moves in.
-
-    Attributes:
-        graph: where its entries are named.
-        name: of the block, input or map it comes from.
-        source: frame of the vectors it takes.
-        target: frame of the vectors it gives.
-        matrix: nine entries, row-major, v_target = matrix v_source.
-        tangent: the vertex of its error, or None when it is fixed.
-        side: how the error enters: ``right`` R Exp(d), ``left`` Exp(d) R, ``axis`` a rotation
-            about ``axis`` by a scalar, ``raw`` additive on the elements listed in ``gradient``.
-        axis: index of the rotation axis for ``axis``.
-        gradient: d(matrix entry)/d(raw element), nine rows, for ``raw``.
-    """
-
-    graph: Graph
-    name: str
-    source: str
-    target: str
-    matrix: Row
-    tangent: str | None = None
-    side: str = "right"
-    axis: int = 2
-    gradient: Matrix = ()
-
-    def other(self, frame: str) -> str:
-        """The frame at the other end.
-
-        Raises:
-            EquationError: when the rotation does not touch ``frame``.
-        """
-        if frame not in (self.source, self.target):
-            raise EquationError(
-                f"{self.name!r} maps {self.source} -> {self.target}; it cannot rotate a vector in "
-                f"frame {frame!r}"
-            )
-        return self.target if frame == self.source else self.source
 
 
 def number(value: float) -> sp.Expr:
@@ -188,103 +154,26 @@ def norm(name: str, vector: Quantity) -> Quantity:
     A length below a micrometre is a domain error: its direction is not defined.
     """
     graph = vector.graph
-    v = _named(vector, f"{name}_vector").elements
+    v = named(vector, f"{name}_vector").elements
     guard = Guard(SMALLEST_SQUARE, LARGEST_SQUARE, 1.0, f"squared {name}")
     (square,) = graph.define(f"{name}_squared", [sp.Add(*(e * e for e in v))], guard=guard)
     (length,) = graph.define(name, [sp.sqrt(square)])
     if graph.moves(*v):
         direction = graph.define(f"{name}_direction", [e / length for e in v])
-        partials = _through(graph, v, (direction,))
+        partials = through(graph, v, (direction,))
         graph.vertex(name, (length,), partials)
     return Quantity(graph, (length,), vector.unit)
-
-
-def rotate(rotation: Rotation, vector: Quantity, name: str | None = None) -> Quantity:
-    """Resolve a vector in the other frame of a rotation; the vector's frame picks the direction.
-
-    The derivative goes through a virtual body vertex, so that products of rotations may be
-    multiplied from either end: with R Exp(d), d(R a) = R (da - [a]x d).
-
-    Raises:
-        EquationError: when the vector is not resolved in either frame of the rotation.
-    """
-    if vector.size != 3 or vector.frame is None:
-        raise EquationError(f"rotate: {rotation.name!r} needs a 3-vector, got {vector.describe()}")
-    target = rotation.other(vector.frame)
-    forward = vector.frame == rotation.source
-    matrix = rows_of(rotation.matrix, 3)
-    if not forward:
-        matrix = transpose(matrix)
-    graph = vector.graph
-    label = name or f"{rotation.name}_rotated"
-    operand = _named(vector, f"{label}_operand").elements
-    out = graph.define(label, [_dot(row, operand) for row in matrix])
-    _rotation_vertex(graph, label, rotation, matrix, operand, out, forward)
-    return Quantity(graph, out, vector.unit, target)
-
-
-def _rotation_vertex(
-    graph: Graph,
-    label: str,
-    rotation: Rotation,
-    matrix: Matrix,
-    a: Row,
-    out: Row,
-    forward: bool,
-) -> None:
-    """Vertices of out = M a, where M is R (``forward``) or its transpose."""
-    moving_operand = graph.moves(*a)
-    if not moving_operand and rotation.tangent is None:
-        return
-    sign = ONE if forward else -ONE
-    if rotation.tangent is None:
-        graph.vertex(label, out, _through(graph, a, matrix))
-    elif rotation.side == "axis":
-        partials = _through(graph, a, matrix) if moving_operand else {}
-        column = tuple((e,) for e in _axis_cross(rotation.axis, out, sign))
-        graph.vertex(label, out, _accumulate(partials, rotation.tangent, column))
-    elif rotation.side == "raw":
-        partials = _through(graph, a, matrix) if moving_operand else {}
-        raw = _raw_partials(graph, label, rotation, a, forward)
-        graph.vertex(label, out, _accumulate(partials, rotation.tangent, raw))
-    elif (rotation.side == "right") == forward:
-        # The error acts on the operand's side: out = M Exp(+-d) a.
-        partials = _through(graph, a, identity(3)) if moving_operand else {}
-        partials = _accumulate(partials, rotation.tangent, skew(a, -sign))
-        inner = graph.vertex(f"{label}_inner", (), partials, size=3)
-        graph.vertex(label, out, {inner.name: matrix})
-    else:
-        # The error acts on the result's side: out = Exp(+-d) M a.
-        partials = _through(graph, a, matrix) if moving_operand else {}
-        graph.vertex(label, out, _accumulate(partials, rotation.tangent, skew(out, -sign)))
-
-
-def _raw_partials(graph: Graph, label: str, rotation: Rotation, a: Row, forward: bool) -> Matrix:
-    """d(M a)/d(raw element) from the gradient of the matrix entries."""
-    count = len(rotation.gradient[0])
-    flat = []
-    for i in range(3):
-        for k in range(count):
-            entries = [rotation.gradient[3 * i + j if forward else 3 * j + i][k] for j in range(3)]
-            flat.append(_dot(entries, a))
-    return rows_of(graph.define(f"{label}_by_{rotation.name}", flat), count)
-
-
-def skew(a: Row, scale: sp.Expr = ONE) -> Matrix:
-    """The matrix [a]x with [a]x b = a x b, times ``scale`` (plus or minus one)."""
-    x, y, z = (scale * e for e in a)
-    return ((ZERO, -z, y), (z, ZERO, -x), (-y, x, ZERO))
 
 
 def series(name: str, argument: Quantity, coefficients: Sequence[Fraction]) -> Quantity:
     """A polynomial in a scalar by Horner's rule, with its derivative by the same rule."""
     graph = argument.graph
-    t = _named(argument, f"{name}_argument").elements[0]
+    t = named(argument, f"{name}_argument").elements[0]
     (value,) = graph.define(name, [horner(coefficients, t)])
     if graph.moves(t):
         slope = [k * c for k, c in enumerate(coefficients)][1:]
         (derivative,) = graph.define(f"{name}_slope", [horner(slope, t)])
-        graph.vertex(name, (value,), _through(graph, (t,), ((derivative,),)))
+        graph.vertex(name, (value,), through(graph, (t,), ((derivative,),)))
     return Quantity(graph, (value,), units.ONE)
 
 
@@ -303,7 +192,7 @@ def elementwise(
     """A function of a scalar (sine, cosine ...), named; SymPy differentiates it."""
     if argument.size != 1:
         raise EquationError(f"{name} needs a scalar, got {argument.describe()}")
-    element = _named(argument, f"{name}_argument").elements[0]
+    element = named(argument, f"{name}_argument").elements[0]
     elements = argument.graph.let(name, [function(element)])
     return Quantity(argument.graph, elements, unit)
 
@@ -315,7 +204,7 @@ def over(numerator: Quantity, scalar: Quantity) -> Quantity:
     """
     if scalar.size != 1:
         raise EquationError(f"{numerator.describe()} cannot be divided by {scalar.describe()}")
-    divisor = _named(scalar, "divisor").elements[0]
+    divisor = named(scalar, "divisor").elements[0]
     elements = tuple(element / divisor for element in numerator.elements)
     return replace(numerator, elements=elements, unit=numerator.unit / scalar.unit)
 
@@ -329,7 +218,7 @@ def divide(name: str, numerator: Quantity, denominator: Quantity) -> Quantity:
     if denominator.size != 1:
         raise EquationError(f"{numerator.describe()} cannot be divided by {denominator.describe()}")
     graph = numerator.graph
-    bottom = _named(denominator, f"{name}_divisor").elements[0]
+    bottom = named(denominator, f"{name}_divisor").elements[0]
     if bottom.is_number and bottom == 0:
         raise EquationError(f"{numerator.describe()} is divided by zero")
     if bottom.is_number:
@@ -339,9 +228,9 @@ def divide(name: str, numerator: Quantity, denominator: Quantity) -> Quantity:
         (square,) = graph.define(f"{name}_divisor_squared", [bottom * bottom], guard=guard)
         (inverse,) = graph.define(f"{name}_reciprocal", [bottom / square])
         if graph.moves(bottom):
-            slope = _through(graph, (bottom,), ((-inverse * inverse,),))
+            slope = through(graph, (bottom,), ((-inverse * inverse,),))
             graph.vertex(f"{name}_reciprocal", (inverse,), slope)
-    elements = tuple(e * inverse for e in _named(numerator, f"{name}_dividend").elements)
+    elements = tuple(e * inverse for e in named(numerator, f"{name}_dividend").elements)
     return Quantity(graph, elements, numerator.unit / denominator.unit, numerator.frame)
 
 
@@ -355,7 +244,7 @@ def square_root(name: str, square: Quantity) -> Quantity:
     (root,) = graph.define(name, [sp.sqrt(argument)])
     if graph.moves(argument):
         slope = ((1 / (2 * root),),)
-        graph.vertex(name, (root,), _through(graph, (argument,), slope))
+        graph.vertex(name, (root,), through(graph, (argument,), slope))
     return Quantity(graph, (root,), square.unit ** Fraction(1, 2))
 
 
@@ -370,11 +259,11 @@ def arctangent2(name: str, y: Quantity, x: Quantity) -> Quantity:
     (angle,) = graph.define(name, [sp.atan2(*point)])
     if graph.moves(*point):
         slope = ((point[1] / square, -point[0] / square),)
-        graph.vertex(name, (angle,), _through(graph, point, slope))
+        graph.vertex(name, (angle,), through(graph, point, slope))
     return Quantity(graph, (angle,), units.ONE)
 
 
-def _through(graph: Graph, operand: Row, matrix: Matrix) -> dict[str, Matrix]:
+def through(graph: Graph, operand: Row, matrix: Matrix) -> dict[str, Matrix]:
     """Partials of matrix . operand toward the vertices that own the operand's elements."""
     inner = graph.local_partials(operand)
     size = len(operand)
@@ -384,14 +273,17 @@ def _through(graph: Graph, operand: Row, matrix: Matrix) -> dict[str, Matrix]:
             return {name: matrix}
     return {
         name: tuple(
-            tuple(_dot(row, [rows[j][k] for j in range(size)]) for k in range(len(rows[0])))
+            tuple(
+                inner_product(row, [rows[j][k] for j in range(size)]) for k in range(len(rows[0]))
+            )
             for row in matrix
         )
         for name, rows in inner.items()
     }
 
 
-def _accumulate(partials: dict[str, Matrix], name: str, matrix: Matrix) -> dict[str, Matrix]:
+def accumulate(partials: dict[str, Matrix], name: str, matrix: Matrix) -> dict[str, Matrix]:
+    """Partials with a matrix added toward one vertex."""
     if name not in partials:
         return {**partials, name: matrix}
     summed = tuple(
@@ -401,22 +293,15 @@ def _accumulate(partials: dict[str, Matrix], name: str, matrix: Matrix) -> dict[
     return {**partials, name: summed}
 
 
-def _axis_cross(axis: int, v: Row, sign: sp.Expr) -> Row:
-    """Sign * e_axis x v."""
-    result = [ZERO, ZERO, ZERO]
-    i, j = (axis + 1) % 3, (axis + 2) % 3
-    result[i], result[j] = -sign * v[j], sign * v[i]
-    return tuple(result)
-
-
-def _named(quantity: Quantity, name: str = "term") -> Quantity:
+def named(quantity: Quantity, name: str = "term") -> Quantity:
     """The quantity with atomic elements: named unless it already is."""
     if all(e.is_Symbol or e.is_number for e in quantity.elements):
         return quantity
     return let(name, quantity)
 
 
-def _dot(row: Sequence[sp.Expr], column: Sequence[sp.Expr]) -> sp.Expr:
+def inner_product(row: Sequence[sp.Expr], column: Sequence[sp.Expr]) -> sp.Expr:
+    """Sum of the products of corresponding elements."""
     return sp.Add(*(a * b for a, b in zip(row, column, strict=True)))
 
 

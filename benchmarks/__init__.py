@@ -1,0 +1,1 @@
+"""Every contestant over the same models, interleaved in one process."""

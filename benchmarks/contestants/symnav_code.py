@@ -1,0 +1,77 @@
+"""symnav itself: the files of its generated package, as they are."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from benchmarks.contestants.contestant import Contestant
+from benchmarks.problems import Problem
+from symnav import pipeline
+from symnav.bench.adapters import EPOCHS, Entries
+
+FUNCTION = "model"
+
+
+def contestants(problem: Problem, folder: Path) -> Iterator[Contestant]:
+    """Dense, non-zeros and batch, without guards; and with them, as it flies."""
+    for guarded in (False, True):
+        entries = generated(problem, folder / ("guarded" if guarded else "bare"), guarded=guarded)
+        mark = "_guarded" if guarded else ""
+        yield Contestant(
+            problem=problem,
+            candidate=entries.nonzeros(f"symnav_nz{mark}"),
+            order=_nonzeros(problem, entries.function.maximum or 0),
+        )
+        yield Contestant(
+            problem=problem,
+            candidate=entries.dense(f"symnav_dense{mark}"),
+            order=_dense(problem, 1),
+        )
+        yield Contestant(
+            problem=problem,
+            candidate=entries.batch(f"symnav_batch{mark}"),
+            order=_dense(problem, EPOCHS),
+        )
+
+
+def generated(problem: Problem, folder: Path, *, guarded: bool) -> Entries:
+    """The entry points of the problem's package."""
+    text = problem.spec.read_text(encoding="utf-8")
+    if not guarded:
+        text = text.replace('name = "model"\n', 'name = "model"\nguards = "assume"\n')
+    folder.mkdir(parents=True, exist_ok=True)
+    file = folder / f"{problem.package}.toml"
+    file.write_text(text, encoding="utf-8")
+    spec = pipeline.load(file)
+    package = pipeline.generate(spec, folder, force=True).package
+    (function,) = (f for f in pipeline.c_route(spec, pipeline.derive(spec)) if f.name == FUNCTION)
+    label = f"_{problem.name}_{'guarded' if guarded else 'bare'}"
+    return Entries(problem.package, function, package / "c", problem.items, label)
+
+
+def lines(entries: Entries) -> int:
+    """Lines of the kernel file."""
+    kernel = entries.tree / "src" / f"{entries.prefix}_{FUNCTION}_kernel.h"
+    return len(kernel.read_text(encoding="utf-8").splitlines())
+
+
+def _nonzeros(problem: Problem, limit: int) -> tuple[int, ...]:
+    """Values, then non-zeros: by row, or in columns as long as the most satellites."""
+    values = problem.rows
+    if not problem.items:
+        return tuple(range(values + len(problem.pattern)))
+    columns = range(len(problem.nonzeros[0]))
+    places = (values + k * limit + i for i in range(problem.items) for k in columns)
+    return (*range(values), *places)
+
+
+def _dense(problem: Problem, epochs: int) -> tuple[int, ...]:
+    """The problem's non-zeros in full Jacobians behind all the values."""
+    values, columns = problem.rows, problem.columns
+    order: list[int] = []
+    for epoch in range(epochs):
+        order += range(epoch * values, (epoch + 1) * values)
+        start = epochs * values + epoch * values * columns
+        order += [start + row * columns + column for row, column in problem.pattern]
+    return tuple(order)

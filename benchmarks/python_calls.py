@@ -1,0 +1,224 @@
+"""Calls from Python: one epoch at a time, and many epochs in one call.
+
+Everything runs in this process, interleaved, over the same inputs. ``python_*`` is one call for
+one epoch; ``batch_*`` is one call for many, reported per epoch.
+"""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+import statistics
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+import sympy as sp
+
+from benchmarks.contestants import derivatives
+from benchmarks.contestants.symnav_code import FUNCTION
+from benchmarks.problems import Problem
+from symnav import pipeline
+
+Array = npt.NDArray[np.float64]
+Call = Callable[[], Any]
+
+EPOCHS = 1024
+REPETITIONS = 13
+BURST = 2e-3
+
+
+def measure(problem: Problem, folder: Path, inputs: Array, *, native: bool) -> dict[str, float]:
+    """Nanoseconds per evaluation of every way to call, interleaved.
+
+    Args:
+        problem: what is evaluated.
+        folder: for what is generated.
+        inputs: flat records.
+        native: build for this very machine, as ``symnav build --native`` does.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    package = built(problem, folder, native=native)
+    records = np.tile(inputs, (EPOCHS // len(inputs), 1))
+    ways: dict[str, tuple[Call, int]] = {}
+    for name, call in one_epoch(problem, package, inputs[0], folder):
+        ways[f"python_{name}"] = (call, 1)
+    for name, call in many_epochs(problem, package, records, folder):
+        ways[f"batch_{name}"] = (call, EPOCHS)
+    figures = timed(ways)
+    if problem.name == "gps":
+        figures |= streamed(problem, package, inputs)
+    return figures
+
+
+def built(problem: Problem, folder: Path, *, native: bool) -> ModuleType:
+    """The compiled package of a problem, as it is shipped: guarded."""
+    made = pipeline.generate(pipeline.load(problem.spec), folder).package
+    pipeline.build(made, native=native)
+    return pipeline.import_package(made)
+
+
+def timed(ways: Mapping[str, tuple[Call, int]]) -> dict[str, float]:
+    """Median over the repetitions of bursts of every way in turn."""
+    counts = {}
+    for name, (call, _) in ways.items():
+        call()
+        start = time.perf_counter()
+        call()
+        counts[name] = max(1, int(BURST / (time.perf_counter() - start + 1e-9)))
+    taken: dict[str, list[float]] = {name: [] for name in ways}
+    for _ in range(REPETITIONS):
+        for name, (call, epochs) in ways.items():
+            start = time.perf_counter_ns()
+            for _ in range(counts[name]):
+                call()
+            taken[name].append((time.perf_counter_ns() - start) / counts[name] / epochs)
+    return {name: round(statistics.median(times), 2) for name, times in taken.items()}
+
+
+def arguments(problem: Problem, records: Array) -> tuple[Array, dict[str, Array]]:
+    """State and inputs of one record, or of many, as the package takes them."""
+    given = {}
+    for name, size in problem.inputs:
+        start = problem.offsets[name]
+        part = records[..., start : start + problem.sizes[name]]
+        if name in problem.per_item:
+            part = part.reshape(*records.shape[:-1], problem.items, size)
+        given[name] = np.ascontiguousarray(part[..., 0] if name == "dt" else part)
+    state = sum(size for _, size in problem.state)
+    return np.ascontiguousarray(records[..., :state]), given
+
+
+def results(problem: Problem, epochs: tuple[int, ...]) -> tuple[Array, Array]:
+    """Arrays for values and Jacobians."""
+    rows = (*epochs, problem.rows)
+    return np.empty(rows), np.empty((*rows, problem.columns))
+
+
+def one_epoch(
+    problem: Problem, package: ModuleType, record: Array, folder: Path
+) -> Iterator[tuple[str, Call]]:
+    """Bound, checked, into given arrays, by NumPy; and the rivals."""
+    function = getattr(package, FUNCTION)
+    x, given = arguments(problem, record)
+    out = results(problem, ())
+    yield "bound", function.bind(x, out=out, **given)
+    yield "checked", lambda: function(x, **given)
+    yield "out", lambda: function(x, out=out, **given)
+    numpy = getattr(package.numpy, FUNCTION)
+    yield "numpy", lambda: numpy(x, **given)
+    if problem.items <= 8:
+        flat = lambdified(problem, "math")
+        numbers = [float(element) for element in record]
+        yield "lambdify_math", lambda: flat(*numbers)
+        compiled = numba_compiled(problem, folder)
+        if compiled is not None:
+            target = np.empty(problem.rows + len(problem.pattern))
+            yield "numba", lambda: compiled(record, target)
+
+
+def many_epochs(
+    problem: Problem, package: ModuleType, records: Array, folder: Path
+) -> Iterator[tuple[str, Call]]:
+    """Compiled and NumPy batches; vectorised lambdify, Numba and JAX."""
+    function = getattr(package, FUNCTION)
+    x, given = arguments(problem, records)
+    out = results(problem, (len(records),))
+    yield "native", lambda: function(x, out=out, **given)
+    bound = function.bind(x, out=out, **given)
+    yield "native_bound", bound
+    numpy = getattr(package.numpy, FUNCTION)
+    yield "numpy", lambda: numpy(x, **given)
+    if problem.items > 8:
+        return
+    columns = [np.ascontiguousarray(column) for column in records.T]
+    flat = lambdified(problem, "numpy")
+    yield "lambdify", lambda: flat(*columns)
+    compiled = numba_compiled(problem, folder, many=True)
+    if compiled is not None:
+        target = np.empty((len(records), problem.rows + len(problem.pattern)))
+        yield "numba", lambda: compiled(records, target)
+    jitted = jax_compiled(problem, columns)
+    if jitted is not None:
+        yield "jax", jitted
+
+
+def lambdified(problem: Problem, modules: str) -> Callable[..., Any]:
+    """SymPy's own, in its fastest form: one flat list, common subexpressions shared."""
+    symbols, entries = derivatives.flat(problem)
+    return sp.lambdify(symbols, list(entries), modules=modules, cse=True)  # type: ignore[no-any-return]
+
+
+def imported(name: str, text: str, folder: Path) -> ModuleType:
+    """A module written for this run."""
+    (folder / f"{name}.py").write_text(text, encoding="utf-8")
+    found = importlib.util.spec_from_file_location(name, folder / f"{name}.py")
+    assert found is not None and found.loader is not None
+    module = importlib.util.module_from_spec(found)
+    found.loader.exec_module(module)
+    return module
+
+
+def numba_compiled(
+    problem: Problem, folder: Path, *, many: bool = False
+) -> Callable[..., Any] | None:
+    """The same expressions through Numba, where it is installed."""
+    try:
+        numba = importlib.import_module("numba")
+    except ImportError:
+        return None
+    symbols, entries = derivatives.flat(problem)
+    replacements, reduced = sp.cse(entries)
+    places = {symbol: sp.Symbol(f"x[{k}]") for k, symbol in enumerate(symbols)}
+    printed = sp.printing.pycode
+    lines = [f"    {left} = {printed(right.xreplace(places))}" for left, right in replacements]
+    lines += [f"    out[{k}] = {printed(e.xreplace(places))}" for k, e in enumerate(reduced)]
+    text = "import math\n\n\ndef one(x, out):\n" + "\n".join(lines) + "\n"
+    one = numba.njit(imported(f"numba_{problem.name}", text, folder).one)
+    if not many:
+        return one  # type: ignore[no-any-return]
+
+    def loop(records: Array, out: Array) -> None:
+        for k in range(records.shape[0]):
+            one(records[k], out[k])
+
+    return numba.njit(loop)  # type: ignore[no-any-return]
+
+
+def jax_compiled(problem: Problem, columns: Sequence[Array]) -> Call | None:
+    """The same expressions jitted by JAX over whole columns, where it is installed."""
+    try:
+        jax = importlib.import_module("jax")
+    except ImportError:
+        return None
+    jax.config.update("jax_enable_x64", True)
+    symbols, entries = derivatives.flat(problem)
+    function = jax.jit(sp.lambdify(symbols, list(entries), modules="jax", cse=True))
+    arrays = [jax.numpy.asarray(column) for column in columns]
+
+    def call() -> Any:
+        return jax.block_until_ready(function(*arrays))
+
+    return call
+
+
+def streamed(
+    problem: Problem, package: ModuleType, inputs: Array, epochs: int = 1_000_000
+) -> dict[str, float]:
+    """A million epochs from row-major arrays against a copy of the same bytes, in the same run."""
+    records = np.tile(inputs, (epochs // len(inputs), 1))
+    x, given = arguments(problem, records)
+    out = results(problem, (len(records),))
+    function = getattr(package, FUNCTION)
+    length = x.size + sum(a.size for a in given.values()) + sum(a.size for a in out)
+    source, target = np.zeros(length // 2), np.zeros(length // 2)
+    return timed(
+        {
+            "stream_native": (lambda: function(x, out=out, **given), len(records)),
+            "stream_copy": (lambda: np.copyto(target, source), len(records)),
+        }
+    )

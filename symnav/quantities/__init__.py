@@ -1,0 +1,47 @@
+"""What equations are written over: quantities and rotations, with the operations on them."""
+
+from symnav.quantities.quantity import (
+    LARGEST_SQUARE,
+    SMALLEST_SQUARE,
+    Quantity,
+    arctangent2,
+    constant,
+    cross,
+    divide,
+    dot,
+    elementwise,
+    horner,
+    let,
+    norm,
+    number,
+    over,
+    series,
+    square_root,
+    total,
+)
+from symnav.quantities.rotation import Rotation, compose, follows, rotate, skew
+
+__all__ = [
+    "LARGEST_SQUARE",
+    "SMALLEST_SQUARE",
+    "Quantity",
+    "Rotation",
+    "arctangent2",
+    "compose",
+    "constant",
+    "cross",
+    "divide",
+    "dot",
+    "elementwise",
+    "follows",
+    "horner",
+    "let",
+    "norm",
+    "number",
+    "over",
+    "rotate",
+    "series",
+    "skew",
+    "square_root",
+    "total",
+]

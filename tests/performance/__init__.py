@@ -1,0 +1,1 @@
+"""Budgets of operations and instructions: counts, never times."""
