@@ -155,7 +155,7 @@ def test_native_build_gives_the_same_bits(tmp_path: Path) -> None:
 
 
 @pytest.mark.skipif(
-    build.DISPATCH_FLAG not in build._dispatch_flags(build.find_compiler()),
+    build.DISPATCH_FLAG not in build.dispatch_flags(build.find_compiler()),
     reason="needs gcc for x86-64 and the GNU C library",
 )
 def test_dispatch_gives_the_same_bits(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -169,7 +169,7 @@ def test_dispatch_gives_the_same_bits(tmp_path: Path, monkeypatch: pytest.Monkey
     assert "ymm" in code.stdout
     assert "fmadd" not in code.stdout
     batch = wide.batch(function, samples)
-    monkeypatch.setattr(build, "_dispatch_flags", lambda _compiler: [])
+    monkeypatch.setattr(build, "dispatch_flags", lambda _compiler: [])
     narrow = Library(load_extension(build.build(package)), "rover", np.float64)
     for key, array in narrow.batch(function, samples).outputs.items():
         np.testing.assert_array_equal(batch[key], array)
@@ -308,7 +308,7 @@ def test_builds_at_the_same_time(package: Path) -> None:
         "import sys; from pathlib import Path; from symnav.build import build; "
         "print(build(Path(sys.argv[1])).modules['native'].name)"
     )
-    root = Path(build.__file__).parents[1]
+    root = Path(build.__file__).parents[2]
     command = [sys.executable, "-c", script, str(package)]
     running = [
         subprocess.Popen(command, stdout=subprocess.PIPE, text=True, cwd=root) for _ in range(2)

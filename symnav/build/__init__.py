@@ -14,10 +14,8 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-import platform
 import re
 import shlex
-import shutil
 import subprocess
 import sys
 import sysconfig
@@ -25,72 +23,46 @@ import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from functools import cache
 from pathlib import Path
 
 import cffi
 from cffi.recompiler import make_c_source
 
+from symnav.build.compiler import (
+    ADVICE,
+    DISPATCH_FLAG,
+    FLAGS,
+    LIGHT_FLAGS,
+    NATIVE_FLAG,
+    WINDOWS,
+    WINDOWS_FLAGS,
+    Compiler,
+    dispatch_flags,
+    find_compiler,
+    flags_of,
+    machine_macros,
+    native_flags,
+)
 from symnav.errors import BuildError
+
+__all__ = [
+    "DISPATCH_FLAG",
+    "FLAGS",
+    "NATIVE_FLAG",
+    "BuildResult",
+    "Compiler",
+    "build",
+    "cache_directory",
+    "compile_with_setuptools",
+    "declarations",
+    "dispatch_flags",
+    "find_compiler",
+]
 
 Log = Callable[[str], None]
 
-FLAGS: Mapping[str, str] = {
-    "-O3": "vectorises loops over items and epochs",
-    "-std=c99": "the language the C is written in; without GNU extensions",
-    "-fno-math-errno": "nothing reads errno; lets square roots be one instruction",
-    "-fno-trapping-math": "no handler waits for exceptions; lets guards become selections",
-    "-ffp-contract=off": "no fused operations, so that results are the same bits everywhere",
-}
-"""Flags of every kernel and why. Nothing here changes a result; -ffast-math would."""
-
-LIGHT_FLAGS: Mapping[str, str] = {
-    **{flag: reason for flag, reason in FLAGS.items() if flag != "-O3"},
-    "-O2": "retract and local are called once per update: compile time matters more",
-}
-"""Flags of retract and local."""
-
-NATIVE_FLAG = "-march=native"
-"""Added on request: the instructions of this very machine, and a file for no other."""
-
-UNFUSED_FLAGS: Mapping[str, str] = {
-    "-mno-fma": "GCC 12 fuses alternating sums and differences even with -ffp-contract=off",
-    "-mno-avx512f": "which has fused instructions of its own; costs up to a fifth where it exists",
-}
-"""Added with ``-march=native`` on x86, so that results stay the same bits there as well."""
-
-DISPATCH_FLAG = "-DSYMNAV_DISPATCH"
-"""Added without ``-march=native`` where gcc and the GNU C library can: loops for AVX2 beside those
-for every processor, chosen when the extension is loaded. The same bits either way."""
-
-WINDOWS_FLAGS: Mapping[str, str] = {
-    "/O2": "optimises for speed",
-    "/std:c11": "the oldest standard this compiler follows",
-    "/fp:precise": "no fused or reordered operations",
-}
-"""Flags for the compiler of Visual Studio."""
-
-ADVICE = (
-    "Debian and Ubuntu: apt install gcc libc6-dev python3-dev; Fedora: dnf install gcc "
-    "python3-devel; macOS: xcode-select --install; Windows: Build Tools for Visual Studio"
-)
-
 _BEGINS, _ENDS = "/* Interface begins. */", "/* Interface ends. */"
 _SUFFIX = sysconfig.get_config_var("EXT_SUFFIX") or ".so"
-_WINDOWS = os.name == "nt"
-
-
-@dataclass(frozen=True, slots=True)
-class Compiler:
-    """A C compiler.
-
-    Attributes:
-        command: how it is called.
-        identity: its version and the machine it compiles for.
-    """
-
-    command: tuple[str, ...]
-    identity: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -151,8 +123,8 @@ def build(package: Path, *, native: bool = False, log: Log | None = None) -> Bui
     if not extensions:
         raise BuildError(f"{package} holds no C to compile; generate the package first")
     compiler = find_compiler()
-    flags = [*(WINDOWS_FLAGS if _WINDOWS else FLAGS)]
-    flags += _native_flags(compiler) if native else _dispatch_flags(compiler)
+    flags = [*(WINDOWS_FLAGS if WINDOWS else FLAGS)]
+    flags += native_flags(compiler) if native else dispatch_flags(compiler)
     digests = {
         path.relative_to(package).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest()
         for path in _inputs(package)
@@ -196,34 +168,6 @@ def cache_directory() -> Path:
     return Path(chosen) if chosen else Path.home() / ".cache" / "symnav"
 
 
-def find_compiler() -> Compiler:
-    """The compiler of the environment variable ``CC``, of this Python, or the first there is.
-
-    Raises:
-        BuildError: when there is none, or the one asked for does not exist.
-    """
-    if _WINDOWS:
-        return Compiler(("cl",), f"Visual Studio, {sys.version}")
-    asked = shlex.split(os.environ.get("CC", ""))
-    if asked and shutil.which(asked[0]) is None:
-        raise BuildError(f"the compiler {asked[0]!r} that CC names does not exist; {ADVICE}")
-    of_python = shlex.split(sysconfig.get_config_var("CC") or "")
-    for command in (asked, of_python[:1], ["cc"], ["gcc"], ["clang"]):
-        if command and shutil.which(command[0]):
-            return Compiler(tuple(command), _identity(tuple(command)))
-    raise BuildError(f"no C compiler found; {ADVICE}")
-
-
-@cache
-def _identity(command: tuple[str, ...]) -> str:
-    version = subprocess.run([*command, "--version"], capture_output=True, text=True, check=False)
-    machine = subprocess.run(
-        [*command, "-dumpmachine"], capture_output=True, text=True, check=False
-    )
-    first = (version.stdout or version.stderr).strip().splitlines()
-    return f"{first[0] if first else command[0]}, {machine.stdout.strip()}"
-
-
 def _extensions(package: Path) -> Iterator[_Extension]:
     """The native extension holds the trees of both scalar types; CasADi's C stands apart."""
     own = sorted((package / "c" / "src").glob("*.c"))
@@ -256,37 +200,13 @@ def _module_name(
         "sources": {path: text for path, text in digests.items() if path.startswith(folder + "/")},
         "flags": [*flags, *LIGHT_FLAGS],
         "compiler": compiler.identity,
-        "machine": _machine(compiler) if NATIVE_FLAG in flags else "",
+        "machine": machine_macros(compiler) if NATIVE_FLAG in flags else "",
         "abi": _SUFFIX,
         "cffi": cffi.__version__,
     }
     digest = hashlib.sha256(json.dumps(basis, sort_keys=True).encode()).hexdigest()[:16]
     middle = "_casadi" if extension.key == "casadi" else ""
     return f"_{extension.package.name}{middle}_{digest}"
-
-
-def _native_flags(compiler: Compiler) -> list[str]:
-    """Flags for this very machine."""
-    if _WINDOWS:
-        return []
-    machine = compiler.identity.rpartition(", ")[2]
-    is_x86 = re.match(r"x86_64|i\d86", machine) is not None
-    return [NATIVE_FLAG, *(UNFUSED_FLAGS if is_x86 else ())]
-
-
-def _dispatch_flags(compiler: Compiler) -> list[str]:
-    """Flags for code that carries loops for several processors."""
-    if _WINDOWS or platform.libc_ver()[0] != "glibc":
-        return []
-    name, _, machine = compiler.identity.rpartition(", ")
-    return [DISPATCH_FLAG] if machine.startswith("x86_64") and "clang" not in name else []
-
-
-def _machine(compiler: Compiler) -> str:
-    """What the compiler knows about this processor."""
-    command = [*compiler.command, NATIVE_FLAG, "-dM", "-E", "-x", "c", os.devnull]
-    macros = subprocess.run(command, capture_output=True, text=True, check=False).stdout
-    return "\n".join(sorted(macros.splitlines()))
 
 
 def _provide(
@@ -325,7 +245,7 @@ def _compile(
 ) -> Path:
     """Compile an extension in a folder of its own."""
     wrapper = _declared(extension)
-    if _WINDOWS:
+    if WINDOWS:
         return compile_with_setuptools(wrapper, name, extension.preamble, extension, flags, folder)
     python = Path(sysconfig.get_path("include"))
     if not (python / "Python.h").is_file():
@@ -337,7 +257,7 @@ def _compile(
     pythons = [f"-I{python}", f"-I{sysconfig.get_path('platinclude')}"]
     jobs = [([*compiler.command, "-O1", *position, include, *pythons], wrapper_source)]
     for source in sorted(extension.sources, key=lambda path: -path.stat().st_size):
-        jobs.append(([*compiler.command, *_flags_of(source, flags), *position, include], source))
+        jobs.append(([*compiler.command, *flags_of(source, flags), *position, include], source))
     objects = _run_jobs(jobs, folder, extension.package)
     made = folder / f"{name}{_SUFFIX}"
     shared = (
@@ -363,13 +283,6 @@ def _declared(extension: _Extension) -> cffi.FFI:
             f"package again, under other names where one clashes; all that was read is in {log}"
         ) from error
     return wrapper
-
-
-def _flags_of(source: Path, flags: Sequence[str]) -> list[str]:
-    """Retract and local are compiled lightly."""
-    if not source.stem.endswith(("_retract", "_local")):
-        return list(flags)
-    return [*LIGHT_FLAGS, *(flag for flag in flags if flag not in FLAGS)]
 
 
 def compile_with_setuptools(
