@@ -190,11 +190,9 @@ def _imu(draw: st.DrawFn, states: list[Table]) -> Table | None:
     if given == "nothing":
         return None
     roles = [*(RATES if given == "rates" else INCREMENTS), "dt"]
-    sculling = ["polynomial", "harmonic", "none"]
-    if given == "rates":
-        sculling.remove("harmonic")
+    sculling = ["polynomial", "none"] if given == "rates" else ["polynomial", "harmonic", "none"]
     if given == "previous":
-        sculling.remove("none")
+        sculling = ["polynomial"]
         roles += [f"previous_{role}" for role in INCREMENTS]
     entry: Table = {
         "name": "force", "model": "specific_force", "attitude": "posture",

@@ -38,7 +38,15 @@ _FULL = (
     "test_random_layouts.py",
 )
 #: The same for what turns derivations into text.
-_EMISSION = ("passes", "emit_numpy", "emit_c", "emit_package", "build", "test_strict_c.py")
+_EMISSION = (
+    "passes",
+    "emit_numpy",
+    "emit_c",
+    "emit_package",
+    "build",
+    "test_guards.py",
+    "test_strict_c.py",
+)
 #: What is no use here. Tests that compare bytes notice every change, the right ones too; the others
 #: are about what no mutant touches, or are no tests.
 LEFT_OUT = (
