@@ -18,7 +18,7 @@ import importlib.util
 import sys
 import time
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib.resources import files
 from pathlib import Path
 from types import ModuleType
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from symnav.derive import Derivation
     from symnav.emit.manifest import CheckReport
     from symnav.spec.records import Spec
-    from symnav.verify.sheet import ProofSheet
+    from symnav.verify.sheet import Finding, ProofSheet
 
 Progress = Callable[[str], None]
 T = TypeVar("T")
@@ -220,22 +220,44 @@ def verify(
 def _verify_in(
     spec: Spec, out: Path, samples: int, seed: int, reference: Path | None, progress: Progress
 ) -> ProofSheet:
-    from symnav.errors import BuildError
     from symnav.verify.proof import prove
     from symnav.verify.references import References
 
     judge = None if reference is None else References(reference)
     generated, derived = _generate(spec, out, progress)
     package = generated.package
-    try:
-        build(package, progress=progress)
-    except BuildError as error:
-        progress(f"no extension: {error}")
+    refused = _refused(package, progress)
     imported = import_package(package)
-    return prove(
+    sheet = prove(
         spec, derived.entries, derived.layout, imported,
         samples=samples, seed=seed, reference=judge, progress=progress,
     )  # fmt: skip
+    return replace(sheet, findings=(*refused, *sheet.findings))
+
+
+def _refused(package: Path, progress: Progress) -> tuple[Finding, ...]:
+    """Build a package that is to be proven; what speaks against it.
+
+    Where there is no compiler NumPy is proven alone, and the sheet notes it. C that a compiler
+    refuses is a failed proof.
+    """
+    from symnav import build as building
+    from symnav.errors import BuildError
+    from symnav.verify.sheet import Finding
+
+    try:
+        building.find_compiler()
+    except BuildError as error:
+        progress(f"no extension: {error}")
+        return ()
+    try:
+        build(package, progress=progress)
+    except BuildError as error:
+        # The log goes where a temporary package goes: it is told instead of named.
+        message, _, log = str(error).partition("; its whole output is in ")
+        said = f"\n{Path(log).read_text(encoding='utf-8').strip()}" if log else ""
+        return (Finding(package.name, f"the generated C was not built: {message}{said}"),)
+    return ()
 
 
 def import_package(package: Path) -> ModuleType:

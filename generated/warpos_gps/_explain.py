@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -25,12 +25,96 @@ def explain(signature: Signature, status: Status, arrays: Sequence[Array]) -> Gu
                 error = find(signature.name, argument, domain, item, elements)
                 if error is not None and error.status is status:
                     return error
+    violated = _violated(signature, status, arrays)
+    if violated is not None:
+        return violated
     meanings = "; ".join(
         f"{condition.meaning} must lie in [{condition.lower:g}, {condition.upper:g}]"
         for condition in signature.conditions
         if condition.status is status
     )
     return GuardError(status, f"{signature.name}: {status.name}: {meanings or 'refused'}")
+
+
+class _Failure(NamedTuple):
+    """A check of an intermediate value that failed: the first item, or empty where all share it."""
+
+    status: Status
+    item: tuple[int, ...]
+    value: float
+    bounds: tuple[float, float]
+
+
+class _Trace:
+    """Guards of one epoch that remember every intermediate value that failed."""
+
+    def __init__(self, guards: Any) -> None:
+        self._guards = guards
+        self.failures: list[_Failure] = []
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._guards, name)
+
+    def check(self, value: Array, *limits: Any) -> Array:
+        """Of a value that all items share."""
+        self._watch(value, *limits, item=False)
+        return self._guards.check(value, *limits)
+
+    def check_item(self, value: Array, *limits: Any) -> Array:
+        """Of a value of each item."""
+        self._watch(value, *limits, item=True)
+        return self._guards.check_item(value, *limits)
+
+    def _watch(
+        self,
+        value: Array,
+        lower: float,
+        upper: float,
+        _substitute: float,
+        status: Status,
+        *,
+        item: bool,
+    ) -> None:
+        flat = np.reshape(np.real(value), -1)
+        failed = np.flatnonzero(~((lower <= flat) & (flat <= upper)))
+        if failed.size:
+            first = int(failed[0])
+            place = (first,) if item else ()
+            self.failures.append(_Failure(status, place, float(flat[first]), (lower, upper)))
+
+
+def _violated(signature: Signature, status: Status, arrays: Sequence[Array]) -> GuardError | None:
+    """The first intermediate value outside its domain, found by NumPy whatever failed."""
+    from . import numpy  # it imports this module
+    from ._arrays import ArrayFunction
+
+    kernel = vars(numpy).get(f"_{signature.name}_kernel")
+    if kernel is None:
+        return None
+    guards, wide = ArrayFunction(signature, kernel).guard(np, [np.real(array) for array in arrays])
+    trace = _Trace(guards)
+    with np.errstate(all="ignore"):
+        kernel(np, trace, *wide)
+    for failure in trace.failures:
+        if failure.status is not status:
+            continue
+        lower, upper = failure.bounds
+        # Back ends check in an order of their own; only the limits tell conditions apart.
+        meanings = dict.fromkeys(
+            condition.meaning
+            for condition in signature.conditions
+            if (condition.status, condition.lower, condition.upper) == (status, lower, upper)
+        )
+        where = "".join(f" of item [{number}]" for number in failure.item)
+        return GuardError(
+            status,
+            f"{signature.name}: {status.name}: {' or '.join(meanings)}{where} must lie in "
+            f"[{lower:g}, {upper:g}]; it is {failure.value:g}",
+            index=failure.item,
+            value=failure.value,
+            bounds=failure.bounds,
+        )
+    return None
 
 
 def _outside(

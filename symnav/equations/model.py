@@ -78,6 +78,22 @@ class Option:
 
 
 @dataclass(frozen=True)
+class Scene:
+    """Values of one quantity that follow from the others, for the samples of a proof.
+
+    Attributes:
+        role: quantity that takes them, where it is bound to an input.
+        name: what is worth testing about them, in a few words; empty for a relation that holds in
+            every use of the model.
+        value: over the bound quantities, like the equation itself; None where it does not apply.
+    """
+
+    role: str
+    name: str
+    value: Callable[[Any], Any]
+
+
+@dataclass(frozen=True)
 class Model:
     """An entry of the model library.
 
@@ -96,6 +112,7 @@ class Model:
         check: extra rules; gives problems as (keyword, message) pairs.
         differentiated: roles the equation itself differentiates by (rates, covariance maps).
         frame_rule: completes the frames of roles that no binding decides; see ``no_rule``.
+        scenes: what the samples of a proof should hold beyond ranges and edges.
     """
 
     name: str
@@ -116,6 +133,7 @@ class Model:
     frame_rule: Callable[[Mapping[str, str], Mapping[str, str], str | None], Mapping[str, str]] = (
         field(default=lambda known, axes, level: no_rule(known, axes, level))
     )
+    scenes: tuple[Scene, ...] = ()
 
     def role(self, name: str) -> Role:
         """The role of that name."""

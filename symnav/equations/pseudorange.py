@@ -7,7 +7,7 @@ IS-GPS-200, 20.3.3.4.3 (earth rotation during the signal's travel).
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import sympy as sp
 
@@ -17,6 +17,7 @@ from symnav.equations.model import (
     Model,
     OptionValue,
     Role,
+    Scene,
     choice,
     point,
     rotation,
@@ -28,6 +29,8 @@ from symnav.graph import Guard
 from symnav.quantities import Quantity, dot, let, norm, rotate, total
 
 ITERATIONS = 3
+#: Of a satellite of the navigation systems, in metres.
+ORBIT_RADIUS = 2.66e7
 
 
 def pseudorange(q: Bound) -> Results:
@@ -199,6 +202,26 @@ def _geometry(position: str) -> tuple[Role, ...]:
     )  # fmt: skip
 
 
+def _in_line(distance: float) -> Callable[[Bound], Quantity]:
+    """The item on the line through the antenna and the origin of its axes."""
+
+    def item(q: Bound) -> Quantity:
+        antenna = _antenna(q)
+        length = norm("distance", antenna).elements[0]
+        elements = tuple(distance * element / length for element in antenna.elements)
+        return Quantity(q.graph, elements, antenna.unit, antenna.frame)
+
+    return item
+
+
+def _scenes(role: str) -> tuple[Scene, ...]:
+    """Satellites above the antenna and below: there the direction has a single element."""
+    return (
+        Scene(role, "above the antenna", _in_line(ORBIT_RADIUS)),
+        Scene(role, "below the antenna", _in_line(-ORBIT_RADIUS)),
+    )
+
+
 MODELS = (
     Model(
         name="pseudorange",
@@ -226,6 +249,7 @@ MODELS = (
         function=pseudorange,
         frame_rule=_frames,
         conventions=_conventions,
+        scenes=_scenes("satellite_position"),
     ),
     Model(
         name="pseudorange_relative",
@@ -258,6 +282,12 @@ MODELS = (
             (("satellite_xy", "sagnac = 'first_order' needs satellite_xy bound"),)
             if options["sagnac"] == "first_order" and "satellite_xy" not in bound
             else ()
+        ),
+        scenes=(
+            *_scenes("satellite_difference"),
+            Scene(
+                "reference_range", "", lambda q: norm("length", q.vector("satellite_difference"))
+            ),
         ),
     ),
 )  # fmt: skip

@@ -13,7 +13,16 @@ from fractions import Fraction
 import sympy as sp
 
 from symnav.equations.bound import Bound, Results, parts
-from symnav.equations.model import Model, OptionValue, Role, choice, rotation, scalar, vector
+from symnav.equations.model import (
+    Model,
+    OptionValue,
+    Role,
+    Scene,
+    choice,
+    rotation,
+    scalar,
+    vector,
+)
 from symnav.frames import series
 from symnav.graph import Guard
 from symnav.quantities import (
@@ -301,6 +310,16 @@ def _check(
     return tuple(problems)
 
 
+def _drift(q: Bound) -> Quantity | None:
+    """Increments that are the bias alone: nothing is left of them once it is taken out."""
+    bias, dt = q.optional("gyro_bias"), q.optional("dt")
+    if bias is None or dt is None:
+        return None
+    count = int(q.options["samples"])
+    step = _fraction(Fraction(1, count)) * (dt * bias)
+    return Quantity(q.graph, step.elements * count, step.unit, step.frame)
+
+
 INCREMENT_ROLES = ("delta_theta", "delta_velocity")
 RATE_ROLES = (
     "angular_rate_start",
@@ -355,5 +374,6 @@ MODELS = (
         function=specific_force,
         conventions=_conventions,
         check=_check,
+        scenes=(Scene("delta_theta", "no rotation beside the bias", _drift),),
     ),
 )  # fmt: skip

@@ -13,7 +13,7 @@ from typing import Any
 import sympy as sp
 from mpmath import mp
 
-from symnav.binding import STATE, Source
+from symnav.binding import STATE, Origin, Source
 from symnav.blocks import Block, HeadingBlock, RotationBlock, frame_map
 from symnav.blocks.heading import AXES
 from symnav.derive import Derivation
@@ -26,8 +26,10 @@ DIGITS = 50
 #: Differences are formed with more digits, so that truncation and rounding stay below 1e-45.
 DIFFERENCE_DIGITS = 80
 STEP = mp.mpf(10) ** -25
-#: A difference smaller than this part of its operands is their rounding: the derivative is zero.
-CANCELLED = mp.mpf(10) ** -70
+#: Largest argument for which those digits are enough; beyond it come as many as it is larger.
+LARGEST = 1e10
+#: Digits that a difference of two results may have to itself: all but these are their rounding.
+SPARE_DIGITS = 10
 
 Arguments = Mapping[str, Sequence[Any]]
 
@@ -85,7 +87,7 @@ class Exact:
             elements by output name, Jacobians row-major.
         """
         results = self.values(arguments)
-        with mp.workdps(DIFFERENCE_DIGITS):
+        with mp.workdps(_difference_digits(arguments)):
             results |= self._derived(self._on_manifold(arguments))
         return results
 
@@ -115,7 +117,7 @@ class Exact:
 
     def _nominal(self, arguments: Arguments) -> closures.Environment:
         """Every term at the arguments given."""
-        env = self._loads(arguments)
+        env = loaded(self._derivation.origins, arguments)
         for step in self._steps:
             env[step.symbol] = step.value(env)
         return env
@@ -129,7 +131,7 @@ class Exact:
         """
         env = dict(nominal)
         dirty: set[sp.Basic] = set()
-        for symbol, value in self._loads(arguments).items():
+        for symbol, value in loaded(self._derivation.origins, arguments).items():
             if value is not nominal[symbol]:
                 env[symbol] = value
                 dirty.add(symbol)
@@ -137,16 +139,6 @@ class Exact:
             if not step.frozen and not dirty.isdisjoint(step.reads):
                 env[step.symbol] = step.value(env)
                 dirty.add(step.symbol)
-        return env
-
-    def _loads(self, arguments: Arguments) -> closures.Environment:
-        env: closures.Environment = {}
-        for symbol, origin in self._derivation.origins.items():
-            if origin.argument in arguments:
-                index = origin.index
-                if origin.slot is not None:
-                    index += int(arguments[self._derivation.origins[origin.slot].argument][0])
-                env[symbol] = arguments[origin.argument][index]
         return env
 
     def _jacobian(
@@ -261,6 +253,18 @@ class Exact:
         return found
 
 
+def loaded(origins: Mapping[sp.Symbol, Origin], arguments: Arguments) -> closures.Environment:
+    """Argument symbols with their numbers; a slot says which element of its block it is."""
+    env: closures.Environment = {}
+    for symbol, origin in origins.items():
+        if origin.argument in arguments:
+            index = origin.index
+            if origin.slot is not None:
+                index += int(arguments[origins[origin.slot].argument][0])
+            env[symbol] = arguments[origin.argument][index]
+    return env
+
+
 def _heading_entries(block: HeadingBlock, angle: Any) -> Vector:
     """R_axis(angle) column by column: e_i cos + e_axis x e_i sin."""
     axis = AXES.index(block.axis)
@@ -284,9 +288,19 @@ def _sandwich(columns: Sequence[Vector], covariance: Vector) -> Vector:
     ]
 
 
+def _difference_digits(arguments: Arguments) -> int:
+    """Digits with which a step beside the largest argument is still seen."""
+    largest = max(abs(e) for x in arguments.values() for e in x)
+    if largest <= LARGEST:
+        return DIFFERENCE_DIGITS
+    return DIFFERENCE_DIGITS + int(mp.ceil(mp.log10(largest / LARGEST)))
+
+
 def _quotient(ahead: Any, behind: Any) -> Any:
+    """The slope; zero where the difference is nothing but rounding."""
     difference = ahead - behind
-    if abs(difference) < CANCELLED * (abs(ahead) + abs(behind)):
+    rounding = mp.mpf(10) ** (SPARE_DIGITS - mp.dps)
+    if abs(difference) < rounding * (abs(ahead) + abs(behind)):
         return mp.mpf(0)
     return difference / (2 * STEP)
 

@@ -53,21 +53,29 @@ class ManyDigits:
 
 @dataclass(frozen=True, eq=False)
 class Graded:
-    """A batch of doubles and the gradient of each by every input: (S,) and (S, n)."""
+    """A batch of doubles, the gradient of each by every input, and what it was added up from.
+
+    Attributes:
+        value: (S,).
+        slope: (S, n).
+        size: (S,): the value with every sum taken over absolute values. A sum of large terms that
+            cancel is known to the rounding of its size, not of its value.
+    """
 
     value: Array
     slope: Array
+    size: Array
 
     def __add__(self, other: Graded | float) -> Graded:
         o = _graded(other, self)
-        return Graded(self.value + o.value, self.slope + o.slope)
+        return Graded(self.value + o.value, self.slope + o.slope, self.size + o.size)
 
     __radd__ = __add__
 
     def __mul__(self, other: Graded | float) -> Graded:
         o = _graded(other, self)
         slope = self.slope * o.value[:, None] + o.slope * self.value[:, None]
-        return Graded(self.value * o.value, slope)
+        return Graded(self.value * o.value, slope, self.size * o.size)
 
     __rmul__ = __mul__
 
@@ -100,7 +108,8 @@ class Graded:
 
     def chain(self, value: Array, derivative: Array) -> Graded:
         """A function of this number, by its value and derivative."""
-        return Graded(value, self.slope * derivative[:, None])
+        size = np.maximum(np.abs(value), np.abs(derivative) * self.size)
+        return Graded(value, self.slope * derivative[:, None], size)
 
 
 class Gradients:
@@ -134,24 +143,29 @@ class Gradients:
         like = a if isinstance(a, Graded) else b
         if not isinstance(like, Graded):
             condition = np.asarray(condition)
-            return Graded(np.where(condition, a, b), np.zeros((condition.size, 1)))
+            value = np.where(condition, a, b)
+            return Graded(value, np.zeros((condition.size, 1)), np.abs(value))
         first, second = _graded(a, like), _graded(b, like)
         return Graded(
             np.where(condition, first.value, second.value),
             np.where(np.asarray(condition)[:, None], first.slope, second.slope),
+            np.where(condition, first.size, second.size),
         )
 
 
 def _atan2(y: Graded, x: Graded) -> Graded:
     square = (x.value**2 + y.value**2)[:, None]
     slope = (x.value[:, None] * y.slope - y.value[:, None] * x.slope) / square
-    return Graded(np.arctan2(y.value, x.value), slope)
+    value = np.arctan2(y.value, x.value)
+    turned = (np.abs(x.value) * y.size + np.abs(y.value) * x.size) / square[:, 0]
+    return Graded(value, slope, np.maximum(np.abs(value), turned))
 
 
 def _graded(number: Graded | float, like: Graded) -> Graded:
     if isinstance(number, Graded):
         return number
-    return Graded(np.full_like(like.value, number), np.zeros_like(like.slope))
+    value = np.full_like(like.value, number)
+    return Graded(value, np.zeros_like(like.slope), np.abs(value))
 
 
 def _value(number: object) -> Any:

@@ -15,62 +15,33 @@ from mpmath import mp
 from numpy.typing import NDArray
 
 from symnav.binding import STATE
-from symnav.blocks import HeadingBlock
 from symnav.derive import Derivation, DerivedOutput
 from symnav.spec.records import Spec
+from symnav.verify.comparison import Array, Indices, Worst, differences
 from symnav.verify.exact import DIGITS, Exact
-from symnav.verify.references import quantities
-from symnav.verify.retraction import retract as exact_retract
+from symnav.verify.manifold import prove_layout
+from symnav.verify.references import References, quantities
 from symnav.verify.sampling import Samples, draw
 from symnav.verify.scale import ScaleOf, Scales
 from symnav.verify.sheet import LIMITS, Finding, ProofSheet, Row, roundings
 
-Array = NDArray[np.float64]
-Indices = NDArray[np.intp]
-#: Fifty-digit evaluations per function; they cost milliseconds each.
-EXACT_SAMPLES = 16
 #: Part of the largest element of a Jacobian that differences with many digits leave of a zero.
 DIFFERENCED = 1e-40
 #: What references call the outputs that have another name here.
 _REFERENCE_NAMES = {"value_covariance": "covariance", "jacobian_fix": "noise_map"}
 BACKENDS = ("native", "numpy", "casadi")
-Reference = Callable[[str, Mapping[str, Any], Mapping[str, Any]], Mapping[str, Sequence[Any]]]
-
-
-@dataclass
-class _Worst:
-    """The largest error of one comparison so far."""
-
-    unit: str
-    relative: float = 0.0
-    absolute: float = 0.0
-    samples: int = 0
-    index: int = -1
-
-    def add(self, error: Array, scale: Array, rows: Indices) -> None:
-        """Take in errors (S, ...) at scales; ``rows`` says which samples they are."""
-        self.samples += error.size
-        if error.size == 0:
-            return
-        with np.errstate(all="ignore"):
-            relative = np.where(error == 0.0, 0.0, error / scale)
-        relative = np.where(np.isnan(relative) | np.isnan(error), np.inf, relative)
-        flat = relative.reshape(len(rows), -1).max(axis=1)
-        worst = int(np.argmax(flat))
-        if flat[worst] >= self.relative:
-            self.relative = float(flat[worst])
-            self.index = int(rows[worst])
-        self.absolute = max(self.absolute, float(np.max(error)))
 
 
 @dataclass
 class _FunctionProof:
-    """Comparisons of one function."""
+    """Comparisons of one function, and how many of its samples were judged with fifty digits."""
 
     spec: Spec
     derivation: Derivation
     samples: Samples
-    worst: dict[tuple[str, str], _Worst] = field(default_factory=dict)
+    worst: dict[tuple[str, str], Worst] = field(default_factory=dict)
+    judged: int = 0
+    notes: list[str] = field(default_factory=list)
 
     def compare(
         self,
@@ -90,7 +61,7 @@ class _FunctionProof:
             )
         for block, columns, unit in self._blocks(output):
             key = (block, comparison)
-            worst = self.worst.setdefault(key, _Worst(unit))
+            worst = self.worst.setdefault(key, Worst(unit))
             with np.errstate(all="ignore"):
                 error = np.abs(a[..., columns] - b[..., columns])
             worst.add(error, scale[..., columns], rows)
@@ -136,7 +107,7 @@ def prove(
     *,
     samples: int,
     seed: int,
-    reference: Reference | None = None,
+    reference: References | None = None,
     progress: Callable[[str], None] = lambda _stage: None,
 ) -> ProofSheet:
     """Run every comparison.
@@ -146,7 +117,7 @@ def prove(
         derivations: one per entry.
         layout_functions: retract and local, or none where there is no state.
         package: the imported generated package.
-        samples: per function.
+        samples: per function; those of single edges come on top.
         seed: of the samples.
         reference: evaluates a model written from the book, if given.
         progress: told the name of each function.
@@ -154,6 +125,7 @@ def prove(
     rows: list[Row] = []
     findings: list[Finding] = []
     notes: list[str] = []
+    judged: dict[str, int] = {}
     backends = {}
     for name in (*BACKENDS, "native_f32"):
         module = _backend(package, name)
@@ -168,10 +140,12 @@ def prove(
         proof = _FunctionProof(spec, derivation, drawn)
         findings += _prove_function(proof, backends, reference)
         rows += proof.rows()
+        notes += proof.notes
+        judged[derivation.name] = proof.judged
     if layout_functions:
         progress("retract and local")
-        rows += _prove_layout(spec, layout_functions, backends, samples, seed)
-    return ProofSheet(spec.name, tuple(rows), tuple(findings), tuple(notes), samples, seed)
+        rows += prove_layout(spec, layout_functions, backends, samples, seed)
+    return ProofSheet(spec.name, tuple(rows), tuple(findings), tuple(notes), samples, seed, judged)
 
 
 def _backend(package: Any, name: str) -> Any:
@@ -182,7 +156,7 @@ def _backend(package: Any, name: str) -> Any:
 
 
 def _prove_function(
-    proof: _FunctionProof, backends: Mapping[str, Any], reference: Reference | None
+    proof: _FunctionProof, backends: Mapping[str, Any], reference: References | None
 ) -> list[Finding]:
     derivation = proof.derivation
     flat = proof.samples.flat()
@@ -192,24 +166,51 @@ def _prove_function(
         if hasattr(module, derivation.name)
     }
     findings = _statuses(derivation, results)
-    good = np.flatnonzero(results["numpy"].ok)
-    if good.size < max(4, len(results["numpy"].ok) // 4):
-        findings.append(
-            Finding(
-                derivation.name,
-                f"only {good.size} of {len(results['numpy'].ok)} samples are inside the domain",
-            )
-        )
+    good, wanting = _domain(proof, results["numpy"].ok)
+    findings += wanting
+    if not good.size:
+        return findings
     scales = ScaleOf(derivation).outputs({name: a[good] for name, a in flat.items()})
     for output in derivation.outputs:
         if "native" in results:
             a, b = results["native"].get(output, good), results["numpy"].get(output, good)
             proof.compare(output, "native vs numpy", a, b, scales[output.name], good)
-    few = good[:: max(1, good.size // EXACT_SAMPLES)][:EXACT_SAMPLES]
+    few = proof.samples.judged(good)
+    proof.judged = len(few)
     _compare_exact(proof, results, scales, good, few)
     if reference is not None and derivation.entry is not None:
+        if not reference.has(derivation.entry.model.name):
+            proof.notes.append(f"{derivation.name}: no reference for {derivation.entry.model.name}")
         _compare_reference(proof, reference, results["numpy"], scales, good, few)
     return findings
+
+
+def _domain(proof: _FunctionProof, ok: NDArray[np.bool_]) -> tuple[Indices, list[Finding]]:
+    """The rows that can be compared, and whether they are too few.
+
+    Without guards the code has no verdict: the terms that they would watch are evaluated here.
+    """
+    derivation = proof.derivation
+    if derivation.entry is not None and not derivation.entry.guarded:
+        inside = ScaleOf(derivation).inside(proof.samples.flat())
+        if not inside.all():
+            proof.notes.append(
+                f"{derivation.name} leaves its guards out: of {ok.size} states inside the declared "
+                f"ranges {np.count_nonzero(~inside)} are outside the domain of the equation, where "
+                "nothing is proven; its caller has to keep away from them"
+            )
+        ok = ok & inside
+    good = np.flatnonzero(ok)
+    if not good.size:
+        message = (
+            f"no state inside the declared ranges could be evaluated: all {ok.size} of them are "
+            "outside the domain of the equation; change the ranges or the equation"
+        )
+        return good, [Finding(derivation.name, message)]
+    if good.size < max(4, ok.size // 4):
+        message = f"only {good.size} of {ok.size} samples are inside the domain"
+        return good, [Finding(derivation.name, message)]
+    return good, []
 
 
 @dataclass
@@ -295,20 +296,15 @@ def _compare_exact(
                     label = "float" if name == "native_f32" else name
                     got = result.get(output, chosen)
                     # The difference is formed with all digits, so that it is not lost in rounding.
-                    error = _differences(got, truth[output.name])
+                    error = differences(got, truth[output.name])
                     proof.compare(
                         output, f"{label} vs {against}", error, np.zeros_like(error), scale, chosen
                     )
 
 
-def _differences(got: Array, truth: Sequence[Any]) -> Array:
-    flat = [float(mp.mpf(float(a)) - b) for a, b in zip(got.ravel(), truth, strict=True)]
-    return np.array(flat).reshape(got.shape)
-
-
 def _compare_reference(
     proof: _FunctionProof,
-    reference: Reference,
+    reference: References,
     result: _Evaluated,
     scales: Mapping[str, Scales],
     good: Indices,
@@ -329,112 +325,10 @@ def _compare_reference(
                 name = _REFERENCE_NAMES.get(output.name, output.name)
                 if name in truth:
                     got = result.get(output, chosen)
-                    error = _differences(got, truth[name])
+                    error = differences(got, truth[name])
                     # A reference may differentiate by differences, which never quite vanish.
                     error[np.abs(error) < DIFFERENCED * np.abs(got).max()] = 0.0
                     scale = scales[output.name].at(np.array([place[int(row)]]))
                     proof.compare(
                         output, "numpy vs reference", error, np.zeros_like(error), scale, chosen
                     )
-
-
-def _prove_layout(
-    spec: Spec,
-    layout_functions: Sequence[Derivation],
-    backends: Mapping[str, Any],
-    samples: int,
-    seed: int,
-) -> list[Row]:
-    """Retract and local against fifty digits, and as inverses of each other."""
-    retract, _ = layout_functions
-    drawn = draw(spec, retract, samples, seed)
-    arguments = dict(drawn.arguments)
-    rows: list[Row] = []
-    for name, module in backends.items():
-        if name in ("casadi", "native_f32"):
-            continue
-        extra = {key: value for key, value in arguments.items() if key not in (STATE, "d")}
-        x = arguments[STATE]
-        step = module.retract(x, d=arguments["d"], **extra)
-        # A state moved out of its declared range is retracted, but has no local coordinates.
-        whole = np.where(np.isnan(step.value), x, step.value)
-        back = module.local(x, y=whole, **extra)
-        inside = np.flatnonzero((np.asarray(step.status) == 0) & (np.asarray(back.status) == 0))
-        chosen = {key: value[inside] for key, value in arguments.items()}
-        rows += _inverse_rows(spec, name, chosen, np.asarray(back.value)[inside])
-        if name == "native":
-            rows += _retract_rows(spec, retract, chosen, np.asarray(step.value)[inside])
-    return rows
-
-
-def _inverse_rows(spec: Spec, name: str, arguments: Mapping[str, Array], back: Array) -> list[Row]:
-    d, x = arguments["d"], arguments[STATE]
-    rows = []
-    for place in spec.layout.places.values():
-        error = np.abs(back[:, place.error] - d[:, place.error])
-        if isinstance(place.block, HeadingBlock):
-            error = _turned_back(error)
-        # An additive error is known to the rounding of the stored value it moves.
-        stored = np.max(np.abs(x[:, place.storage]), axis=1, keepdims=True)
-        radius = 6.4e6 if place.block.kind == "geodetic" else 0.0
-        scale = np.abs(d[:, place.error]).max(axis=1, keepdims=True) + stored + radius + 1.0
-        worst = _Worst(place.block.units[1])
-        worst.add(error, np.broadcast_to(scale, error.shape), np.arange(len(d)))
-        rows.append(
-            Row(
-                "State",
-                place.block.name,
-                f"{name} retract then local",
-                worst.relative,
-                worst.absolute,
-                worst.unit,
-                worst.samples,
-                f"  State.local(x, State.retract(x, d)) at x={x[worst.index].tolist()!r}, "
-                f"d={d[worst.index].tolist()!r}",
-            )
-        )
-    return rows
-
-
-def _retract_rows(
-    spec: Spec, retract: Derivation, arguments: Mapping[str, Array], moved: Array
-) -> list[Row]:
-    exact = Exact(spec, retract)
-    rows = []
-    count = min(EXACT_SAMPLES, len(moved))
-    with mp.workdps(DIGITS):
-        for place in spec.layout.places.values():
-            worst = _Worst(place.block.units[0])
-            for k in range(count):
-                numbers = {n: [mp.mpf(float(v)) for v in a[k]] for n, a in arguments.items()}
-                truth = exact_retract(
-                    place.block,
-                    numbers[STATE][place.storage],
-                    numbers["d"][place.error],
-                    lambda s, t, n=numbers: exact.matrix(n, s, t),  # type: ignore[misc]
-                )
-                got = moved[k : k + 1, place.storage]
-                error = np.abs(_differences(got, truth))
-                if place.block.kind in ("heading", "geodetic"):
-                    error = np.where(error > np.pi, _turned_back(error), error)
-                scale = np.abs(got) + np.abs(arguments["d"][k, place.error]).max() * 1e-6 + 1.0
-                worst.add(error, scale, np.array([k]))
-            rows.append(
-                Row(
-                    "State",
-                    place.block.name,
-                    "native retract vs 50 digits",
-                    worst.relative,
-                    worst.absolute,
-                    worst.unit,
-                    worst.samples,
-                    "",
-                )
-            )
-    return rows
-
-
-def _turned_back(angle: Array) -> Array:
-    """Size of an angle that is known up to whole turns."""
-    size: Array = np.abs((angle + np.pi) % (2.0 * np.pi) - np.pi)
-    return size

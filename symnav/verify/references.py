@@ -10,10 +10,12 @@ import importlib.util
 import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 from symnav.binding import STATE
 from symnav.blocks import Block, GeodeticBlock, HeadingBlock, RotationBlock, frame_map
+from symnav.equations import library
 from symnav.errors import InputError
 from symnav.spec.records import BySlot, BySystem, Entry, Spec, ToConstant, ToInput, ToState
 
@@ -24,20 +26,29 @@ class References:
     """The references of one directory.
 
     Raises:
-        InputError: when the directory does not exist.
+        InputError: when the directory does not exist or holds no reference.
     """
 
     def __init__(self, directory: Path) -> None:
         if not directory.is_dir():
             raise InputError(f"{directory}: no such directory of references")
         self._directory = directory.resolve()
+        if not any(self.has(model) for model in library()):
+            raise InputError(
+                f"{directory}: holds no reference; one is a file <model>.py with a function "
+                f"value(q, options), the models being {', '.join(library())}"
+            )
         self._load_package()
+
+    def has(self, model: str) -> bool:
+        """True when there is a reference of a model."""
+        return (self._directory / f"{model}.py").is_file()
 
     def __call__(
         self, model: str, quantities: Mapping[str, Any], options: Mapping[str, Any]
     ) -> Mapping[str, Sequence[Any]]:
         """Evaluate the reference of a model; empty where there is none."""
-        if not (self._directory / f"{model}.py").is_file():
+        if not self.has(model):
             return {}
         module = importlib.import_module(f"{_PACKAGE}.{model}")
         result: Mapping[str, Sequence[Any]] = module.value(dict(quantities), dict(options))
@@ -47,16 +58,15 @@ class References:
         for name in [n for n in sys.modules if n == _PACKAGE or n.startswith(f"{_PACKAGE}.")]:
             del sys.modules[name]
         init = self._directory / "__init__.py"
-        spec = importlib.util.spec_from_file_location(
-            _PACKAGE,
-            init if init.is_file() else None,
-            submodule_search_locations=[str(self._directory)],
-        )
-        assert spec is not None
-        module = importlib.util.module_from_spec(spec)
-        sys.modules[_PACKAGE] = module
-        if spec.loader is not None and init.is_file():
-            spec.loader.exec_module(module)
+        package = ModuleType(_PACKAGE)
+        if init.is_file():
+            spec = importlib.util.spec_from_file_location(_PACKAGE, init)
+            assert spec is not None and spec.loader is not None
+            package = importlib.util.module_from_spec(spec)
+        package.__path__ = [str(self._directory)]
+        sys.modules[_PACKAGE] = package
+        if package.__spec__ is not None and package.__spec__.loader is not None:
+            package.__spec__.loader.exec_module(package)
 
 
 def quantities(spec: Spec, entry: Entry, numbers: Mapping[str, Sequence[Any]]) -> dict[str, Any]:
@@ -116,7 +126,12 @@ def _described(block: Block, x: Sequence[Any]) -> dict[str, Any]:
     if isinstance(block, HeadingBlock):
         return {"angle": x[0], "axis": block.axis, "maps": frame_map(block.maps)}
     if isinstance(block, GeodeticBlock):
-        return {"llh": list(x), "frame": block.frame, "level": block.error_frame}
+        return {
+            "llh": list(x),
+            "frame": block.frame,
+            "level": block.error_frame,
+            "axes": block.error_axes,
+        }
     frame, _ = block.frames
     return {"value": list(x), "frame": frame or None, "unit": block.units[0]}
 

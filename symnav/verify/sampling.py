@@ -1,13 +1,14 @@
-"""Samples inside the declared ranges: random ones, edges and singular neighbourhoods.
+"""Samples inside the declared ranges: random states, and every edge alone and among others.
 
-Every block kind knows its own edges: identity, yaw only, half turns and negated quaternions for a
-rotation, zero and the ends of the range for a vector, the wrap for an angle, the poles for a
-geodetic point. Satellites are also placed exactly above and below the antenna.
+Half of the samples asked for are random in everything, the other half mix edges of several
+quantities with random values. On top comes one sample for every edge of every quantity the
+function reads, in which all the rest is random: those are what the fifty-digit comparisons look at
+first, because nothing else can hide there what goes wrong.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,15 +16,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symnav.binding import STATE
-from symnav.blocks import Block, GeodeticBlock, HeadingBlock, RotationBlock
+from symnav.blocks import Block
 from symnav.derive import Derivation
-from symnav.spec.records import Spec, ToInput, ToState
+from symnav.spec.records import Spec
+from symnav.verify.edges import Array, Edge, Rng, edges, error_edges, random_error, random_value
+from symnav.verify.scenes import BoundScene, scenes
 
-Array = NDArray[np.float64]
-Rng = np.random.Generator
-
-#: How many of the samples are edges rather than random: every second one.
-EDGE_EVERY = 2
+Indices = NDArray[np.intp]
+RANDOM, MIXED = "", "several edges"
+#: Comparisons with fifty digits beyond one for every edge.
+JUDGED_BEYOND_EDGES = 8
 
 
 @dataclass(frozen=True)
@@ -33,11 +35,13 @@ class Samples:
     Attributes:
         arguments: (S, size), or (S, n, size) for item arguments.
         items: n, or None when the function is not mapped.
+        labels: of each row of ``flat``: ``RANDOM``, ``MIXED``, or the edge it is there to show.
         integers: arguments that are system codes or slots.
     """
 
     arguments: Mapping[str, Array]
     items: int | None
+    labels: tuple[str, ...]
     integers: frozenset[str] = frozenset()
 
     def typed(self) -> dict[str, NDArray[Any]]:
@@ -62,159 +66,208 @@ class Samples:
             for name, a in self.arguments.items()
         }
 
+    def judged(self, good: Indices) -> Indices:
+        """The rows to compare with fifty digits, among those inside the domain.
+
+        Every edge there is once, then as many random and mixed ones as are to be had up to
+        ``JUDGED_BEYOND_EDGES``.
+
+        Args:
+            good: rows of ``flat``, ascending.
+        """
+        chosen: dict[str, list[int]] = {}
+        for row in good:
+            chosen.setdefault(self.labels[row], []).append(int(row))
+        rows = [of[0] for label, of in chosen.items() if label not in (RANDOM, MIXED)]
+        mixed = _spread(chosen.get(MIXED, []), JUDGED_BEYOND_EDGES // 2)
+        rows += mixed + _spread(chosen.get(RANDOM, []), JUDGED_BEYOND_EDGES - len(mixed))
+        return np.array(sorted(rows), dtype=np.intp)
+
+
+def _spread(rows: list[int], count: int) -> list[int]:
+    """At most so many of the rows, from all over."""
+    return rows[:: max(1, len(rows) // count)][:count]
+
+
+@dataclass(frozen=True)
+class _Part:
+    """One block of one argument.
+
+    Attributes:
+        argument: name of the argument.
+        place: its elements there.
+        block: what they are.
+        item: True when every item has its own.
+        read: True when the function looks at it.
+        moves: elements of the state that it is the error of; None where it is a value.
+    """
+
+    argument: str
+    place: slice
+    block: Block
+    item: bool = False
+    read: bool = True
+    moves: slice | None = None
+
+    def edges(self) -> tuple[Edge, ...]:
+        """Its edges."""
+        return edges(self.block) if self.moves is None else error_edges(self.block)
+
+    def random(self, rng: Rng, at: Array) -> Array:
+        """Any other value."""
+        if self.moves is None:
+            return random_value(self.block, rng)
+        return random_error(self.block, rng, at)
+
+
+@dataclass(frozen=True)
+class _Alone:
+    """A sample in which one part is at one of its edges."""
+
+    part: _Part
+    edge: Edge
+
+    @property
+    def item(self) -> bool:
+        """True when only the first item shows it."""
+        return self.part.item
+
+    @property
+    def label(self) -> str:
+        """What it shows, for people."""
+        return f"{self.part.block.name}: {self.edge.name}"
+
+
+@dataclass(frozen=True)
+class _Staged:
+    """A sample in which the first item is in a scene of the model."""
+
+    scene: BoundScene
+    item: bool
+
+    @property
+    def label(self) -> str:
+        """What it shows, for people."""
+        return f"{self.scene.argument}: {self.scene.name}"
+
 
 def draw(spec: Spec, derivation: Derivation, count: int, seed: int, items: int = 3) -> Samples:
-    """Draw ``count`` samples for a derivation's arguments.
+    """Draw samples for a derivation's arguments.
 
     The same seed gives the same samples.
+
+    Args:
+        spec: for layout and inputs.
+        derivation: the function.
+        count: random and mixed samples; those of single edges come on top.
+        seed: of the random numbers.
+        items: of a mapped function, in each sample.
     """
     rng = np.random.default_rng([seed, *map(ord, derivation.name)])
-    mapped = derivation.mapped
     if derivation.entry is not None and derivation.entry.maximum is not None:
         items = min(items, derivation.entry.maximum)
-    arguments: dict[str, Array] = {}
-    for name in derivation.arguments:
-        if name == STATE or (derivation.entry is None and name == "y"):
-            blocks = [place.block for place in spec.layout.places.values()]
-            arguments[name] = np.stack([_state(blocks, rng, k) for k in range(count)])
-        elif derivation.entry is None and name == "d":
-            arguments[name] = np.stack([_error(spec, rng, k) for k in range(count)])
-        elif spec.inputs[name].item:
-            block = spec.inputs[name].block
-            rows = [[_one(block, rng, k + i) for i in range(items)] for k in range(count)]
-            arguments[name] = np.array(rows)
-        else:
-            block = spec.inputs[name].block
-            arguments[name] = np.stack([_one(block, rng, k) for k in range(count)])
-    _make_physical(spec, derivation, arguments)
+    parts = list(_parts(spec, derivation))
+    staged = scenes(spec, derivation.entry)
+    plan = _plan(parts, [s for s in staged if s.name], count, spec)
+    arguments = _empty(parts, len(plan), items)
+    for k, kind in enumerate(plan):
+        for part in parts:
+            at = arguments[STATE][k, part.moves] if part.moves is not None else np.empty(0)
+            for i in range(items if part.item else 1):
+                row = arguments[part.argument][(k, i) if part.item else k]
+                row[part.place] = _value(part, kind, i, rng, at)
     integers = {name for name in arguments if name in spec.inputs and spec.inputs[name].integer}
     arguments |= {name: np.round(arguments[name]) for name in integers}
-    return Samples(arguments, items if mapped else None, frozenset(integers))
+    _stage(staged, plan, arguments, rng)
+    mapped = items if derivation.mapped else None
+    ordered = {name: arguments[name] for name in derivation.arguments}
+    return Samples(ordered, mapped, _labels(plan, mapped), frozenset(integers))
 
 
-def _state(blocks: Sequence[Block], rng: Rng, k: int) -> Array:
-    return np.concatenate([_one(block, rng, k) for block in blocks])
+_Kind = str | _Alone | _Staged
 
 
-def _one(block: Block, rng: Rng, k: int) -> Array:
-    """Elements of one block: random, or now and then one of its edges."""
-    if k % EDGE_EVERY == 0 or rng.random() < 0.25:
-        return random_value(block, rng)
-    choices = edges(block)
-    return choices[int(rng.integers(len(choices)))](rng)
+def _parts(spec: Spec, derivation: Derivation) -> Iterator[_Part]:
+    """Blocks of every argument, the state before the errors that move it."""
+    read = {(origin.argument, origin.index) for origin in derivation.origins.values()}
+    own = (STATE,) if derivation.entry is not None else (STATE, "d", "y")
+    for name in derivation.arguments:
+        if name not in own:
+            declared = spec.inputs[name]
+            whole = slice(0, declared.block.storage_size)
+            yield _Part(name, whole, declared.block, item=declared.item)
+            continue
+        for place in spec.layout.places.values():
+            if name == "d":
+                yield _Part(name, place.error, place.block, moves=place.storage)
+                continue
+            elements = range(place.storage.start, place.storage.stop)
+            used = any((name, i) in read for i in elements)
+            yield _Part(name, place.storage, place.block, read=used)
 
 
-def random_value(block: Block, rng: Rng) -> Array:
-    """A random value inside the domain: uniform, or small by a random power of ten."""
-    if isinstance(block, RotationBlock):
-        return _stored(block, _unit(rng.normal(size=4)))
-    lower, upper = _bounds(block)
-    value = rng.uniform(lower, upper)
-    if rng.random() < 0.3:
-        value = np.clip(value * 10.0 ** rng.uniform(-9.0, 0.0, value.size), lower, upper)
-    return value
+def _plan(parts: list[_Part], named: list[BoundScene], count: int, spec: Spec) -> list[_Kind]:
+    """What each sample is there for."""
+    alone = [_Alone(part, edge) for part in parts if part.read for edge in part.edges()]
+    shown = [_Staged(scene, spec.inputs[scene.argument].item) for scene in named]
+    return [*((RANDOM, MIXED)[k % 2] for k in range(count)), *alone, *shown]
 
 
-def edges(block: Block) -> list[Callable[[Rng], Array]]:
-    """Generators of the block's edge values."""
-    if isinstance(block, RotationBlock):
-        # An additive rotation vector has no neighbourhood at a half turn.
-        turns = [q for q in _ROTATIONS if q is not _half_turn or block.error != "rotation_vector"]
-        return [lambda rng, q=q: _stored(block, q(rng)) for q in turns]  # type: ignore[misc]
-    lower, upper = _bounds(block)
-    middle = np.clip(np.zeros_like(lower), lower, upper)
-    values = [middle, lower, upper, np.clip(middle + 1e-12, lower, upper)]
-    if isinstance(block, HeadingBlock):
-        values += [np.clip(v, lower, upper) for v in (np.array([np.pi]), np.array([-np.pi / 2]))]
-    if isinstance(block, GeodeticBlock):
-        pole = np.array([upper[0], 0.3, middle[2]])
-        values += [pole, np.array([lower[0], -2.0, middle[2]])]
-        values += [np.array([0.7, np.pi - 1e-9, middle[2]])]
-    return [lambda rng, v=v: v.copy() for v in values]  # type: ignore[misc]
+def _empty(parts: list[_Part], samples: int, items: int) -> dict[str, Array]:
+    sizes: dict[str, tuple[int, ...]] = {}
+    for part in parts:
+        shape = (samples, items) if part.item else (samples,)
+        sizes[part.argument] = (*shape, part.place.stop)
+    return {name: np.zeros(shape) for name, shape in sizes.items()}
 
 
-def _half_turn(rng: Rng) -> Array:
-    row: Array = np.eye(4)[1 + int(rng.integers(3))]
-    return row
+def _value(part: _Part, kind: _Kind, item: int, rng: Rng, at: Array) -> Array:
+    """Elements of one part: its own edge, any edge, or random ones."""
+    if isinstance(kind, _Alone):
+        if kind.part is part and item == 0:
+            return kind.edge.value(rng, at)
+    elif kind == MIXED and rng.random() < 0.75:
+        choices = part.edges()
+        return choices[int(rng.integers(len(choices)))].value(rng, at)
+    return part.random(rng, at)
 
 
-_ROTATIONS: tuple[Callable[[Rng], Array], ...] = (
-    lambda rng: np.array([1.0, 0.0, 0.0, 0.0]),
-    lambda rng: -np.array([1.0, 0.0, 0.0, 0.0]),
-    lambda rng: _axis_angle(np.array([0.0, 0.0, 1.0]), rng.uniform(-np.pi, np.pi)),
-    _half_turn,
-    lambda rng: -_unit(rng.normal(size=4)),
-    lambda rng: _axis_angle(rng.normal(size=3), 1e-9),
-    lambda rng: _axis_angle(rng.normal(size=3), np.pi - 1e-6),
-)
+def _labels(plan: list[_Kind], items: int | None) -> tuple[str, ...]:
+    """One per row; an edge of an item is that of the first item only."""
+    found: list[str] = []
+    for kind in plan:
+        for i in range(items or 1):
+            if isinstance(kind, str):
+                found.append(kind)
+            else:
+                found.append(kind.label if i == 0 or not kind.item else RANDOM)
+    return tuple(found)
 
 
-def _error(spec: Spec, rng: Rng, k: int) -> Array:
-    """An error vector: moderate, tiny, zero, or with rotations close to a half turn."""
-    parts = []
-    for place in spec.layout.places.values():
-        block, size = place.block, place.block.error_size
-        bound = 1.0 if block.units[1] == "rad" else 100.0
-        part = rng.uniform(-bound, bound, size) * (1.0, 1e-9, 0.0, 1.0)[k % 4]
-        if isinstance(block, RotationBlock) and block.error not in ("storage", "rotation_vector"):
-            direction = rng.normal(size=3)
-            if k % 4 == 3:
-                part = direction / np.linalg.norm(direction) * (np.pi - 1e-6)
-        elif isinstance(block, RotationBlock):
-            part = part * 0.1
-        parts.append(part)
-    return np.concatenate(parts)
+def _stage(
+    staged: list[BoundScene], plan: list[_Kind], arguments: dict[str, Array], rng: Rng
+) -> None:
+    """Scenes where the plan wants them, now and then among other edges; relations everywhere."""
+    named = [scene for scene in staged if scene.name]
+    for k, kind in enumerate(plan):
+        if isinstance(kind, _Staged):
+            _play(kind.scene, arguments, k, 0)
+        elif kind == MIXED and named and rng.random() < 0.25:
+            _play(named[int(rng.integers(len(named)))], arguments, k, 0)
+        for scene in staged:
+            if not scene.name:
+                for i in range(_items(arguments, scene)):
+                    _play(scene, arguments, k, i)
 
 
-def _make_physical(spec: Spec, derivation: Derivation, arguments: dict[str, Array]) -> None:
-    """Relations between inputs that hold in use, and geometry worth testing."""
-    entry = derivation.entry
-    if entry is None:
-        return
-    names = {role: b.name for role, b in entry.bindings.items() if isinstance(b, ToInput)}
-    if "reference_range" in names and "satellite_difference" in names:
-        d = arguments[names["satellite_difference"]]
-        short = np.linalg.norm(d, axis=-1, keepdims=True) < 1e6
-        d = np.where(short, d + 2.0e7, d)
-        arguments[names["satellite_difference"]] = d
-        arguments[names["reference_range"]] = np.linalg.norm(d, axis=-1, keepdims=True)
-    position = entry.bindings.get("position")
-    if "satellite_position" in names and isinstance(position, ToState):
-        place = spec.layout.places[position.block]
-        if place.block.storage_size == 3 and not isinstance(place.block, GeodeticBlock):
-            _overhead(arguments, names["satellite_position"], place.storage)
+def _items(arguments: Mapping[str, Array], scene: BoundScene) -> int:
+    target = arguments[scene.argument]
+    return target.shape[1] if target.ndim == 3 else 1
 
 
-def _overhead(arguments: dict[str, Array], satellite: str, place: slice) -> None:
-    """Every fourth sample: the first satellite on the line through the receiver."""
-    position = arguments[STATE][::4, place]
-    length = np.linalg.norm(position, axis=1, keepdims=True)
-    up = np.array([0.0, 0.0, 1.0])
-    direction = np.where(length > 1.0, position / np.maximum(length, 1.0), up)
-    arguments[satellite][::4, 0, :] = 2.66e7 * direction
-
-
-def _bounds(block: Block) -> tuple[Array, Array]:
-    return np.array(block.lower, dtype=np.float64), np.array(block.upper, dtype=np.float64)
-
-
-def _stored(block: RotationBlock, q: Array) -> Array:
-    if block.storage == "wxyz":
-        return q
-    if block.storage == "xyzw":
-        return np.roll(q, -1)
-    w, v = q[0], q[1:]
-    skew = np.array([[0.0, -v[2], v[1]], [v[2], 0.0, -v[0]], [-v[1], v[0], 0.0]])
-    matrix = np.eye(3) + 2.0 * w * skew + 2.0 * skew @ skew
-    entries: Array = matrix.ravel()
-    return entries
-
-
-def _axis_angle(axis: Array, angle: float) -> Array:
-    direction = axis / np.linalg.norm(axis)
-    return np.concatenate([[np.cos(angle / 2)], np.sin(angle / 2) * direction])
-
-
-def _unit(q: Array) -> Array:
-    unit: Array = q / np.linalg.norm(q)
-    return unit
+def _play(scene: BoundScene, arguments: Mapping[str, Array], sample: int, item: int) -> None:
+    """Elements of the scene's input in one sample and item, from the other arguments there."""
+    rows = {name: a[sample, item] if a.ndim == 3 else a[sample] for name, a in arguments.items()}
+    values = scene.values(rows)
+    if values is not None:
+        rows[scene.argument][:] = values

@@ -4,8 +4,8 @@ The strict scale of an output is |h| + sum_j |dh/dx_j| |x_j| over its inputs: wh
 rounding of every input does to it. It vanishes where inputs are zero or the geometry is symmetric
 (a satellite on the axis, a half turn) although the terms of the equation are not small there. The
 full scale adds sum_k |dh/dt_k| |t_k| over the named terms: what one rounding of every intermediate
-step does. An error passes when it is within its limit at the strict scale, or within a few units
-in the last place at the full one.
+step does, a term that is a sum counting with the size of what it adds up. An error passes when it
+is within its limit at the strict scale, or within a few units in the last place at the full one.
 """
 
 from __future__ import annotations
@@ -56,6 +56,7 @@ class ScaleOf:
         self._steps = [
             (d.symbol, closures.closure(d.expression, system)) for d in derivation.definitions
         ]
+        self._guards = {d.symbol: d.guard for d in derivation.definitions if d.guard is not None}
         self._values = {
             output.name: {key: closures.closure(e, system) for key, e in output.entries.items()}
             for output in derivation.outputs
@@ -80,6 +81,23 @@ class ScaleOf:
             for output in self._derivation.outputs
         }
 
+    def inside(self, arguments: Mapping[str, Array]) -> NDArray[np.bool_]:
+        """Where every guarded term is within its domain, whether the code checks it or not.
+
+        Args:
+            arguments: (S, size) arrays by argument name, one item each.
+        """
+        env, inputs = self._environment(arguments)
+        good = np.ones(len(inputs), dtype=np.bool_)
+        with np.errstate(all="ignore"):
+            for symbol, value in self._steps:
+                number = env[symbol] = value(env)
+                guard = self._guards.get(symbol)
+                if guard is not None:
+                    plain = number.value if isinstance(number, Graded) else number
+                    good &= (plain >= guard.lower) & (plain <= guard.upper)
+        return good
+
     def _chunk(self, arguments: Mapping[str, Array]) -> dict[str, Scales]:
         env, inputs = self._environment(arguments)
         samples, width = inputs.shape
@@ -92,8 +110,8 @@ class ScaleOf:
                 if isinstance(number, Graded):
                     slope = np.broadcast_to(number.slope, sizes.shape).copy()
                     slope[:, known + k] = 1.0
-                    sizes[:, known + k] = np.abs(number.value)
-                    number = Graded(number.value, slope)
+                    sizes[:, known + k] = number.size
+                    number = Graded(number.value, slope, np.abs(number.value))
                 env[symbol] = number
             return {
                 output.name: self._scales(output, env, sizes, known)
@@ -113,7 +131,7 @@ class ScaleOf:
             parts = np.abs(number.slope) * sizes
             parts = np.where(sizes == 0.0, 0.0, parts)
             strict[:, row, column] = np.abs(number.value) + parts[:, :known].sum(axis=1)
-            full[:, row, column] = np.abs(number.value) + parts.sum(axis=1)
+            full[:, row, column] = number.size + parts.sum(axis=1)
         if output.kind == "jacobian":
             return Scales(strict, full)
         return Scales(strict[:, :, 0], full[:, :, 0])
@@ -136,7 +154,7 @@ class ScaleOf:
         for k, (symbol, _) in enumerate(origins):
             slope = np.zeros((len(stacked), width))
             slope[:, k] = 1.0
-            env[symbol] = Graded(stacked[:, k].copy(), slope)
+            env[symbol] = Graded(stacked[:, k].copy(), slope, np.abs(stacked[:, k]))
         padded = np.zeros((len(stacked), width))
         padded[:, : len(origins)] = stacked
         return env, padded

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -95,8 +95,9 @@ class ProofSheet:
         rows: comparisons.
         findings: failures that are not numbers.
         notes: what was not compared, and why.
-        samples: samples per function.
+        samples: samples per function, those of single edges not counted.
         seed: of the samples.
+        judged: how many states of each function were judged with fifty digits.
     """
 
     spec: str
@@ -105,6 +106,7 @@ class ProofSheet:
     notes: tuple[str, ...]
     samples: int
     seed: int
+    judged: Mapping[str, int] = field(default_factory=dict)
 
     @property
     def passed(self) -> bool:
@@ -130,6 +132,7 @@ class ProofSheet:
             "passed": self.passed,
             "samples": self.samples,
             "seed": self.seed,
+            "judged": dict(self.judged),
             "rows": [
                 {
                     "function": row.function,
@@ -173,6 +176,13 @@ class ProofSheet:
             "book: against the references given.",
             highlight=False,
         )
+        if self.judged:
+            counts = ", ".join(f"{name} {count}" for name, count in self.judged.items())
+            console.print(
+                f"States judged with 50 digits, every edge inside the ranges among them: {counts}.",
+                highlight=False,
+                markup=False,
+            )
         for note in self.notes:
             console.print(f"note: {note}", highlight=False, markup=False)
         for failure in self.failures():

@@ -54,7 +54,8 @@ def test_gradients(name: str) -> None:
     """Values and slopes of a whole batch, against differences with many digits."""
     expression, meaning = NODES[name]
     table = np.array(POINTS)
-    env = {s: Graded(table[:, k], np.tile(np.eye(3)[k], (3, 1))) for k, s in enumerate(SYMBOLS)}
+    columns = list(zip(SYMBOLS, table.T, np.eye(3), strict=True))
+    env = {s: Graded(x, np.tile(e, (3, 1)), np.abs(x)) for s, x, e in columns}
     result = closure(expression, Gradients())(env)
     if not isinstance(result, Graded):
         assert result == pytest.approx(float(meaning(*POINTS[0])), rel=1e-15)
@@ -72,6 +73,22 @@ def test_gradients(name: str) -> None:
             slope = (ends[0] - ends[1]) / (2 * step)
             actual = np.broadcast_to(result.slope, (3, 3))[i, k]
             assert actual == pytest.approx(float(slope), rel=1e-12, abs=1e-12), (point, k)
+
+
+def test_sizes() -> None:
+    """What cancels stays in sight: sums count with what they add up, also inside functions."""
+    x, y = (Graded(np.array([v]), np.zeros((1, 0)), np.array([abs(v)])) for v in (3.0, -2.0))
+    a, b = SYMBOLS[:2]
+
+    def size(expression: sp.Expr) -> float:
+        result = closure(expression, Gradients())({a: x, b: y})
+        return float(result.size[0])
+
+    assert size(a + b) == 5.0
+    assert size(a * b - 1) == 7.0
+    assert size((a + b) * (a - b)) == 25.0
+    assert size(sp.sin(a + b)) == pytest.approx(5.0 * np.cos(1.0))
+    assert size(1 / (a + b)) == 5.0
 
 
 def by_inputs() -> Case:

@@ -24,36 +24,76 @@ _QUICK: dict[str, tuple[str, ...]] = {
     "symnav/lower/signature.py": ("blocks", "declarations"),
     "symnav/lower": ("lowering", "elimination", "blocks", "budgets"),
 }
-#: Folders and files of ``tests`` that could notice a mutant no quick test sees. Tests that compare
-#: bytes are not among them: they notice every change, the right ones too.
+#: Folders and files of ``tests`` that could notice a mutant no quick test sees.
 _FULL = (
     "core",
     "spec",
+    "reference",
     "oracles",
-    "verify",
     "models",
+    "demo",
+    "examples",
     "test_pipeline.py",
+    "test_verify.py",
     "test_random_layouts.py",
 )
 #: The same for what turns derivations into text.
-_EMISSION = ("passes", "lower", "emit_numpy", "emit_c", "build")
+_EMISSION = (
+    "passes",
+    "emit_numpy",
+    "emit_c",
+    "emit_package",
+    "build",
+    "test_guards.py",
+    "test_strict_c.py",
+)
+#: What is no use here. Tests that compare bytes notice every change, the right ones too; the others
+#: are about what no mutant touches, or are no tests.
+LEFT_OUT = (
+    "data",
+    "golden",
+    "mutation",
+    "performance",
+    "test_bench.py",
+    "test_ci.py",
+    "test_cli.py",
+    "test_generated.py",
+    "test_golden.py",
+    "test_house.py",
+    "test_readme.py",
+    "test_unread.py",
+    "test_wheel.py",
+)
 
 
 def quick(root: Path, file: str) -> list[str]:
     """A few seconds of tests, in process and without a compiler."""
     if file.startswith("symnav/emit/"):
-        return _existing(root, ("core/test_printers.py",))
+        return _paths(root, ("core/test_printers.py",))
     if file.startswith("symnav/lower/passes/"):
-        return _existing(root, ("core/test_passes.py", "core/test_budgets.py", "passes"))
+        return _paths(root, ("core/test_passes.py", "core/test_budgets.py", "passes"))
     best = max((key for key in _QUICK if file.startswith(key)), key=len)
-    return _existing(root, dict.fromkeys(f"core/test_{name}.py" for name in _QUICK[best]))
+    return _paths(root, [f"core/test_{name}.py" for name in dict.fromkeys(_QUICK[best])])
 
 
 def full(root: Path, file: str) -> list[str]:
     """Everything that runs the file or what it generates."""
     emitted = file.startswith(("symnav/lower/", "symnav/emit/"))
-    return _existing(root, (*_FULL, *(_EMISSION if emitted else ())))
+    return _paths(root, (*_FULL, *(_EMISSION if emitted else ())))
 
 
-def _existing(root: Path, names: Sequence[str] | dict[str, None]) -> list[str]:
-    return [f"tests/{name}" for name in names if (root / "tests" / name).exists()]
+def listed() -> set[str]:
+    """Folders and files of ``tests`` that some mutant meets."""
+    return {*_FULL, *_EMISSION}
+
+
+def _paths(root: Path, names: Sequence[str]) -> list[str]:
+    """Paths below the root.
+
+    Raises:
+        FileNotFoundError: when one is not there, so that no mutant is spared by a misspelt name.
+    """
+    for name in names:
+        if not (root / "tests" / name).exists():
+            raise FileNotFoundError(f"tests/mutation/suites.py lists {name}, which tests has not")
+    return [f"tests/{name}" for name in names]

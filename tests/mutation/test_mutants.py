@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.mutation import table
-from tests.mutation.mutants import Mutant, mutants, mutants_of, mutated
+from tests.mutation import suites, table
+from tests.mutation.mutants import Mutant, files, mutants, mutants_of, mutated
 from tests.mutation.run import PROJECT, sample
 
 SOURCE = '''
@@ -75,13 +75,30 @@ def test_every_file_of_the_mathematics_is_there() -> None:
     """Names are unique; every room has its sites."""
     everything = mutants(PROJECT)
     assert len({m.id for m in everything}) == len(everything) > 300
-    files = {m.file for m in everything}
+    holding = {m.file for m in everything}
     for name in ("graph", "elimination", "derive", "binding"):
-        assert f"symnav/{name}.py" in files
+        assert f"symnav/{name}.py" in holding
     for room in ("quantities", "equations", "blocks", "frames", "lower", "emit"):
-        assert any(file.startswith(f"symnav/{room}/") for file in files), room
+        assert any(file.startswith(f"symnav/{room}/") for file in holding), room
     for name in ("symnav/emit/c/expressions.py", "symnav/emit/numpy/expressions.py"):
-        assert name in files
+        assert name in holding
+
+
+def test_every_file_has_its_tests() -> None:
+    """All of them exist; what no mutant meets is left out by name."""
+    for file in files(PROJECT):
+        assert suites.quick(PROJECT, file) and suites.full(PROJECT, file)
+    folder = PROJECT / "tests"
+    there = {p.name for p in folder.iterdir() if p.is_dir() or p.name.startswith("test_")}
+    there -= {"__pycache__"}
+    assert suites.listed() | set(suites.LEFT_OUT) == there
+    assert not suites.listed() & set(suites.LEFT_OUT)
+
+
+def test_a_misspelt_name_is_an_error(tmp_path: Path) -> None:
+    """A folder that is not there would spare every mutant that only it notices."""
+    with pytest.raises(FileNotFoundError, match=r"suites\.py lists core"):
+        suites.full(tmp_path, "symnav/graph.py")
 
 
 def test_samples_follow_the_seed() -> None:

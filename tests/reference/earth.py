@@ -5,12 +5,25 @@ the coordinates; the radii come out of the geometry (distance from the axis, spe
 meridian) when they are needed.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from typing import Any
 
 from mpmath import mp, mpf
 
-from .algebra import Vector, about, conjugate, derivative, exact, length, multiply, sandwich
+from .algebra import (
+    Quantities,
+    Vector,
+    about,
+    conjugate,
+    derivative,
+    exact,
+    images,
+    length,
+    multiply,
+    sandwich,
+    transpose,
+)
 
 SEMI_MAJOR_AXIS = Fraction(6378137)
 FLATTENING = 1 / Fraction("298.257223563")
@@ -44,6 +57,24 @@ def to_local(llh: Sequence[mpf], vector: Sequence[mpf], axes: str) -> Vector:
     if axes == "ned":
         return [north, east, -up]
     raise ValueError(f"axes must be 'enu' or 'ned', not {axes!r}")
+
+
+def local_level(position: Mapping[str, Any]) -> dict[str, Any]:
+    """Give the attitude of the local-level axes at a geodetic position."""
+    llh, axes = position["llh"], position["axes"]
+    rows = images(lambda vector: to_local(llh, vector, axes))
+    matrix = [entry for row in transpose(rows) for entry in row]
+    return {"matrix": matrix, "maps": (position["level"], position.get("frame") or "ecef")}
+
+
+def with_local_level(q: Quantities) -> Quantities:
+    """Give the quantities, a geodetic position bringing the attitude of its local-level axes.
+
+    One that is bound already is left as it is.
+    """
+    if "nav_to_ecef" in q or "axes" not in q.get("position", {}):
+        return q
+    return {**q, "nav_to_ecef": local_level(q["position"])}
 
 
 def northward_speed(llh: Sequence[mpf]) -> mpf:

@@ -8,7 +8,7 @@ update with on-line heading.
 """
 
 from .algebra import Options, Outputs, Quantities, Vector, add, far_end, turn
-from .earth import ecef
+from .earth import ecef, with_local_level
 
 
 def lever_in(q: Quantities, target: str | None, form: str) -> tuple[Vector, str | None]:
@@ -37,6 +37,7 @@ def lever_in(q: Quantities, target: str | None, form: str) -> tuple[Vector, str 
 
 def value(q: Quantities, options: Options) -> Outputs:
     """Give the fix that an ideal receiver would report."""
+    q = with_local_level(q)
     form = options.get("quaternion", "homogeneous")
     frame = q["position"].get("frame")
     geodetic = "llh" in q["position"]

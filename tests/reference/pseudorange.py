@@ -26,7 +26,7 @@ from .algebra import (
     subtract,
     turn,
 )
-from .earth import LIGHT_SPEED, ROTATION_RATE, ecef
+from .earth import LIGHT_SPEED, ROTATION_RATE, ecef, with_local_level
 
 ITERATIONS = 3
 
@@ -136,6 +136,7 @@ def receiver_clock(q: Quantities, options: Options) -> mpf:
 
 def value(q: Quantities, options: Options) -> Outputs:
     """Give the pseudorange to one satellite and, where a measured one is bound, the residual."""
+    q = with_local_level(q)
     satellite = q["satellite_position"]["value"]
     total = geometric_range(satellite, antenna(q, options), options.get("sagnac", "first_order"))
     total += receiver_clock(q, options)

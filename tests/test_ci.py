@@ -1,0 +1,76 @@
+"""Continuous integration notices tests that are skipped."""
+
+from __future__ import annotations
+
+import importlib.util
+from collections.abc import Mapping
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+
+SCRIPT = Path(__file__).parents[1] / ".ci" / "skips.py"
+pytestmark = pytest.mark.skipif(not SCRIPT.is_file(), reason="is about the checkout")
+RAN, SKIPPED, EXPECTED = "", "<skipped/>", '<skipped type="pytest.xfail"/>'
+
+
+@pytest.fixture
+def skips() -> ModuleType:
+    """The script that reads the reports."""
+    spec = importlib.util.spec_from_file_location("skips", SCRIPT)
+    assert spec is not None and spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def report(path: Path, outcomes: Mapping[tuple[str, str], str]) -> str:
+    """A report of tests by class and name."""
+    cases = "".join(
+        f'<testcase classname="{where}" name="{name}">{outcome}</testcase>'
+        for (where, name), outcome in outcomes.items()
+    )
+    path.write_text(f"<testsuites><testsuite>{cases}</testsuite></testsuites>")
+    return str(path)
+
+
+def test_skipped_tests_are_made_up_for(
+    skips: ModuleType, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """By test where one is named, by file where the whole of it was left out."""
+    first = report(
+        tmp_path / "first.xml",
+        {
+            ("", "tests.oracles.test_gtsam"): SKIPPED,
+            ("tests.emit.test_jax.TestJit", "test_a"): SKIPPED,
+            ("tests.test_cli", "test_b"): RAN,
+            ("tests.test_cli", "test_c"): EXPECTED,
+        },
+    )
+    assert skips.main("files", first) == 0
+    assert capsys.readouterr().out.split() == [
+        "tests/emit/test_jax.py",
+        "tests/oracles/test_gtsam.py",
+    ]
+    second = {
+        ("tests.oracles.test_gtsam", "test_d"): RAN,
+        ("tests.emit.test_jax.TestJit", "test_a"): RAN,
+    }
+    assert skips.main("none", report(tmp_path / "all.xml", second), first) == 0
+    for name in second:
+        left = {other: RAN for other in second if other != name}
+        assert skips.main("none", report(tmp_path / "left.xml", left), first) == 1
+        again = {**second, name: SKIPPED}
+        assert skips.main("none", report(tmp_path / "again.xml", again), first) == 1
+
+
+def test_no_test_at_all(skips: ModuleType, tmp_path: Path) -> None:
+    """A run that found nothing is no run."""
+    assert skips.main("none", report(tmp_path / "empty.xml", {})) == 1
+
+
+def test_every_extra_is_installed() -> None:
+    """The second run has whatever any test may ask for."""
+    text = (SCRIPT.parent / "run").read_text(encoding="utf-8")
+    assert 'optional-dependencies"]' in text and 'pip install -q -e ".[$extras]"' in text
+    assert text.index('step "every extra"') < text.index("$reports/second.xml")
