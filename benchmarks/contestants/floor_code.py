@@ -27,10 +27,8 @@ def contestants(problem: Problem, _folder: Path) -> Iterator[Contestant]:
     head = f"void {function}(const double in[restrict], double out[restrict])"
     lines = ["#include <math.h>", f"{head};", head, "{", *(f"    {line}" for line in body), "}", ""]
     symbol = symbol_of(problem, "floor")
-    candidate = Candidate(
-        name="floor", symbol=symbol, source="\n".join(lines) + adapter(symbol, [f"{function}(in, out);"]),
-        size=size, root=function,
-    )  # fmt: skip
+    source = "\n".join(lines) + adapter(symbol, [f"{function}(in, out);"])
+    candidate = Candidate(name="floor", symbol=symbol, source=source, size=size, root=function)
     yield Contestant(problem=problem, candidate=candidate, order=())
 
 
@@ -55,7 +53,8 @@ def _items(problem: Problem) -> list[str]:
         f"const double *restrict s = in + {problem.offsets['s']};",
         "#pragma GCC ivdep",
         f"for (int i = 0; i < {problem.items}; ++i) {{",
-        "    const double range = sqrt(s[3 * i] + s[3 * i + 1] * s[3 * i + 2]);",
+        "    const double x = s[3 * i], y = s[3 * i + 1], z = s[3 * i + 2];",
+        "    const double range = sqrt(x * x + y * y + z * z);",
         "    const double inverse = 1.0 / range;",
         "",
         "    out[i] = range;",
