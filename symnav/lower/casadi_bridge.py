@@ -63,7 +63,7 @@ def _total(terms: Sequence[ca.SX]) -> ca.SX:
     """The sum of terms: a short one from the left, a long one by halves."""
     if len(terms) <= LONGEST_CHAIN:
         return reduce(lambda a, b: a + b, terms)
-    half = (len(terms) + 1) // 2
+    half = len(terms) // 2
     return _total(terms[:half]) + _total(terms[half:])
 
 

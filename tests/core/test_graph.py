@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 
 from symnav import graph as g
-from symnav.graph import ONE, ZERO, Definition, Graph, Guard
+from symnav.graph import ONE, ZERO, Definition, Graph, Guard, is_multiple
 
 
 def moving(graph: Graph, name: str, size: int, scale: sp.Expr = ONE) -> tuple[sp.Symbol, ...]:
@@ -122,3 +122,10 @@ def test_matrices() -> None:
         (a[3] * x[0] + a[4] * x[1] + a[5] * x[2],),
     )
     assert g.identity(2, -ONE) == ((-ONE, ZERO), (ZERO, -ONE))
+
+
+def test_multiples() -> None:
+    """A sign is no factor worth a name, and a sum is no multiple."""
+    x, y = sp.symbols("x y")
+    assert is_multiple(2 * x) and is_multiple(-x / 3) and is_multiple(sp.Float(0.25) * x)
+    assert not any(is_multiple(e) for e in (x, -x, 2 * x * y, 2 * x + 1, sp.Integer(3)))

@@ -237,12 +237,15 @@ def test_satellite_at_the_antenna_is_a_domain_error() -> None:
 
 @pytest.mark.parametrize("error", ["right", "right_negative", "left", "left_negative", "storage"])
 @pytest.mark.parametrize("arm", ["l", (0.3, -0.1, 0.2)], ids=["input", "constant"])
-def test_two_rotations_in_a_row(error: str, arm: Any) -> None:
+@pytest.mark.parametrize("maps", ["n -> ecef", "ecef -> n"])
+def test_two_rotations_in_a_row(error: str, arm: Any, maps: str) -> None:
     """Composed where the error allows it, one after the other where not; the same numbers."""
     case = ranges("first_order")
     place, _, clock = case.blocks
     blocks = [place, rotation("q", error=error), clock]
     bindings: dict[str, Any] = {**case.bindings, "lever_arm": arm}
-    check(replace(case, blocks=blocks, bindings=bindings))
+    arm_input, _, satellite = case.inputs
+    inputs = [arm_input, rotation("C", maps=maps, storage="dcm"), satellite]
+    check(replace(case, blocks=blocks, inputs=inputs, bindings=bindings))
     names = {d.symbol.name for d in derived(replace(case, blocks=blocks).spec()).definitions}
     assert ("C_q_00" in names) == error.startswith("right")

@@ -147,7 +147,7 @@ def test_bias_adds_to_the_turn(epoch: str) -> None:
 
 def test_a_bias_beyond_all_turns_is_guarded() -> None:
     """Where the declared bias could more than double the turn, the turn itself is checked."""
-    for bound, guarded in ((2.0, False), (50.0, True)):
+    for bound, guarded in ((1.9, False), (3.0, True), (50.0, True)):
         found = {d.symbol.name: d.guard for d in derived(biased(bound).spec()).definitions}
         guard = found["theta_squared"]
         assert (guard is not None) == guarded

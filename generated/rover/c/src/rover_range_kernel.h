@@ -274,8 +274,9 @@ ROVER_INLINE flag_t range_item(
     const rover_real_t turned_satellite_0 = 2.4323877909897254e-13 * item->satellite_position_x;
     const rover_real_t turned_satellite_1 = 2.4323877909897254e-13 * item->satellite_position_y;
     const rover_real_t u11 = clock_bias + item->ionosphere;
-    const rover_real_t u30 = item->troposphere - (299792458.0 * item->satellite_clock) +
-        ((shared->antenna_y_2 * turned_satellite_0) - (shared->antenna_x_2 * turned_satellite_1));
+    const rover_real_t u18 = item->troposphere - (299792458.0 * item->satellite_clock);
+    const rover_real_t u29 = (shared->antenna_y_2 * turned_satellite_0) -
+        (shared->antenna_x_2 * turned_satellite_1);
     /* squared range */
     const rover_real_t range_squared_raw = (range_vector_x * range_vector_x) +
         (range_vector_y * range_vector_y) + (range_vector_z * range_vector_z);
@@ -286,7 +287,7 @@ ROVER_INLINE flag_t range_item(
     const rover_real_t range_direction_x = range_vector_x * inverse_range;
     const rover_real_t range_direction_y = range_vector_y * inverse_range;
     const rover_real_t range_direction_z = range_vector_z * inverse_range;
-    const rover_real_t value_out = u11 + range + u30;
+    const rover_real_t value_out = u11 + (range + u18 + u29);
     const rover_real_t value_by_antenna_2_x = range_direction_x - turned_satellite_1;
     const rover_real_t value_by_antenna_2_y = range_direction_y + turned_satellite_0;
     const rover_real_t value_by_antenna_nav_x = (shared->nav_to_ecef_00 * value_by_antenna_2_x) +

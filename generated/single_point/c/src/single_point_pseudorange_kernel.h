@@ -100,8 +100,9 @@ SINGLE_POINT_INLINE flag_t pseudorange_item(
     const single_point_real_t turned_satellite_1 = 2.4323877909897254e-13 *
         item->satellite_position_y;
     const single_point_real_t u2 = in->clock_bias + item->ionosphere;
-    const single_point_real_t u21 = item->troposphere - (299792458.0 * item->satellite_clock) +
-        ((in->position_y * turned_satellite_0) - (in->position_x * turned_satellite_1));
+    const single_point_real_t u9 = item->troposphere - (299792458.0 * item->satellite_clock);
+    const single_point_real_t u20 = (in->position_y * turned_satellite_0) -
+        (in->position_x * turned_satellite_1);
     /* squared range */
     const single_point_real_t range_squared_raw = (range_vector_x * range_vector_x) +
         (range_vector_y * range_vector_y) + (range_vector_z * range_vector_z);
@@ -112,7 +113,7 @@ SINGLE_POINT_INLINE flag_t pseudorange_item(
     const single_point_real_t range_direction_x = range_vector_x * inverse_range;
     const single_point_real_t range_direction_y = range_vector_y * inverse_range;
     const single_point_real_t range_direction_z = range_vector_z * inverse_range;
-    const single_point_real_t value_out = u2 + range + u21;
+    const single_point_real_t value_out = u2 + (range + u9 + u20);
     const single_point_real_t value_out_by_position_x = range_direction_x - turned_satellite_1;
     const single_point_real_t value_out_by_position_y = range_direction_y + turned_satellite_0;
 
