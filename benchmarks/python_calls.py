@@ -80,15 +80,18 @@ def timed(ways: Mapping[str, tuple[Call, int]]) -> dict[str, float]:
     return {name: round(statistics.median(times), 2) for name, times in taken.items()}
 
 
-def arguments(problem: Problem, records: Array) -> tuple[Array, dict[str, Array]]:
+def arguments(problem: Problem, records: Array) -> tuple[Array, dict[str, Any]]:
     """State and inputs of one record, or of many, as the package takes them."""
-    given = {}
+    given: dict[str, Any] = {}
     for name, size in problem.inputs:
         start = problem.offsets[name]
         part = records[..., start : start + problem.sizes[name]]
         if name in problem.per_item:
             part = part.reshape(*records.shape[:-1], problem.items, size)
-        given[name] = np.ascontiguousarray(part[..., 0] if name == "dt" else part)
+        if name == "dt":
+            given[name] = float(part[0]) if part.ndim == 1 else part[..., 0].copy()
+        else:
+            given[name] = np.ascontiguousarray(part)
     state = sum(size for _, size in problem.state)
     return np.ascontiguousarray(records[..., :state]), given
 
@@ -214,7 +217,7 @@ def streamed(
     x, given = arguments(problem, records)
     out = results(problem, (len(records),))
     function = getattr(package, FUNCTION)
-    length = x.size + sum(a.size for a in given.values()) + sum(a.size for a in out)
+    length = x.size + sum(np.size(a) for a in given.values()) + sum(a.size for a in out)
     source, target = np.zeros(length // 2), np.zeros(length // 2)
     return timed(
         {

@@ -21,7 +21,7 @@ def contestants(problem: Problem, _folder: Path) -> Iterator[Contestant]:
     automatic = automatically(problem)
     yield _contestant(problem, "casadi", *_shared(*automatic))
     yield _contestant(problem, "casadi_nocse", *automatic)
-    if problem.items <= derivatives.MOST_ITEMS:
+    if derivatives.reached(problem):
         symbolic = symbolically(problem)
         yield _contestant(problem, "casadi_sym", *_shared(*symbolic))
         yield _contestant(problem, "casadi_sym_nocse", *symbolic)
