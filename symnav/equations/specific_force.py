@@ -75,7 +75,11 @@ def _from_increments(q: Bound) -> tuple[Quantity, Quantity, Quantity | None]:
 
 
 def _debiased(q: Bound, role: str, bias_role: str, count: int, name: str) -> list[Quantity]:
-    """Sub-increments less bias times sub-interval."""
+    """Sub-increments less bias times sub-interval.
+
+    Polynomial sculling has every one of them in a cross product of its own, so they have names.
+    Otherwise only sums of them and the last one count, and a sum takes the bias once.
+    """
     pieces = parts(q.vector(role))
     bias = q.optional(bias_role)
     if bias is None:
@@ -84,6 +88,8 @@ def _debiased(q: Bound, role: str, bias_role: str, count: int, name: str) -> lis
     if count > 1:
         dt = let(f"{role}_dt", _fraction(Fraction(1, count)) * dt)
     step = let(f"{bias_role}_step", dt * bias)
+    if count > 1 and q.options["sculling"] != "polynomial":
+        return [piece - step for piece in pieces]
     names = [name] if count == 1 else [f"{name}{k}" for k in range(1, count + 1)]
     return [let(label, piece - step) for label, piece in zip(names, pieces, strict=True)]
 
@@ -117,7 +123,13 @@ def _pair(
     """(sum w_i a_i) x v_j + (sum w_i v_i) x a_j."""
     angle = let(f"{name}_angle", _weighted(weights, angles))
     velocity = let(f"{name}_velocity", _weighted(weights, velocities))
-    return cross(angle, velocities[j]) + cross(velocity, angles[j])
+    a, v = (_named(f"{letter}{j + 1}", x[j]) for letter, x in (("a", angles), ("v", velocities)))
+    return cross(angle, v) + cross(velocity, a)
+
+
+def _named(name: str, quantity: Quantity) -> Quantity:
+    """The quantity under a name, unless each of its elements has one."""
+    return quantity if all(e.is_Symbol for e in quantity.elements) else let(name, quantity)
 
 
 def _weighted(weights: Sequence[Fraction], pieces: Sequence[Quantity]) -> Quantity:

@@ -30,7 +30,7 @@ def _count(expression: ir.Expression) -> int:
         (gps(), (68, 0)),
         (calibrated_gps(), (99, 0)),
         (inertial(1), (161, 0)),
-        (inertial(4), (276, 0)),
+        (inertial(4), (282, 0)),
         (ranges(), (113, 28)),
     ],
     ids=["gps", "calibrated gps", "one sample", "four samples", "range"],
