@@ -60,7 +60,7 @@ def page(runs: Mapping[str, Figures]) -> Iterator[str]:
 
 def times(flags: str, figures: Figures) -> Iterator[str]:
     """Nanoseconds of one epoch."""
-    yield f"### One epoch, `--flags {flags}` (ns)"
+    yield f"## One epoch, `--flags {flags}` (ns)"
     yield ""
     yield from table(
         ["contestant", *MODELS],
@@ -74,7 +74,7 @@ def times(flags: str, figures: Figures) -> Iterator[str]:
 
 def ratios(runs: Mapping[str, Figures]) -> Iterator[str]:
     """How the non-zeros form compares, over the six models and at its worst."""
-    yield "### `symnav_nz` over the others (geometric mean of six models)"
+    yield "## `symnav_nz` over the others (geometric mean of six models)"
     yield ""
     rows = []
     for flags, figures in runs.items():
@@ -97,7 +97,7 @@ def ratios(runs: Mapping[str, Figures]) -> Iterator[str]:
 
 def floors(figures: Figures) -> Iterator[str]:
     """What loads, stores, divisions, roots and sines alone take."""
-    yield "### Distance to loads, stores, divisions, roots and sines alone, `--flags v3` (ns)"
+    yield "## Distance to loads, stores, divisions, roots and sines alone, `--flags v3` (ns)"
     yield ""
     rows = [
         ["`floor`", *(number(figures[m]["floor"]["ns"]) for m in MODELS)],
@@ -112,7 +112,7 @@ def floors(figures: Figures) -> Iterator[str]:
 
 def sizes(runs: Mapping[str, Figures]) -> Iterator[str]:
     """Operations, code and stack."""
-    yield "### Operations of one evaluation, as executed"
+    yield "## Operations of one evaluation, as executed"
     yield ""
     names = ("symnav_nz", *RIVALS)
     yield from table(
@@ -120,7 +120,7 @@ def sizes(runs: Mapping[str, Figures]) -> Iterator[str]:
         [[f"`{n}`", *(str(runs["v3"][m][n]["ops"]) for m in MODELS)] for n in names],
     )
     for flags in ("o2", "v3"):
-        yield f"### Machine code / stack, `--flags {flags}` (bytes)"
+        yield f"## Machine code / stack, `--flags {flags}` (bytes)"
         yield ""
         figures = runs[flags]
         yield from table(
@@ -137,7 +137,7 @@ def sizes(runs: Mapping[str, Figures]) -> Iterator[str]:
 
 def python_calls(figures: Figures) -> Iterator[str]:
     """Calls from Python."""
-    yield "### Calls from Python (ns for one evaluation)"
+    yield "## Calls from Python (ns for one evaluation)"
     yield ""
     chosen = ("gps", "pr8", "imu4")
     names = sorted({n for m in chosen for n in figures[m] if n.startswith(("python_", "batch_"))})
