@@ -35,12 +35,14 @@ def jacobian(
     inner = [name for name in graph.vertices if name in edges and graph.vertices[name].partials]
     # Forward, backward, and (None) always the vertex that makes the fewest products next.
     orders = (inner, inner[::-1], None)
-    trials = [
-        _eliminate(graph, edges, order, names_multiples=names)
-        for names in (False, True)
-        for order in orders
-    ]
-    best = min(trials, key=lambda trial: trial.cost)
+    best: _Trial | None = None
+    for names in (False, True):
+        for order in orders:
+            limit = None if best is None else best.cost
+            trial = _eliminate(graph, edges, order, names_multiples=names, limit=limit)
+            if best is None or trial.cost < best.cost:
+                best = trial
+    assert best is not None
     graph.adopt(best.definitions)
     return {
         name: best.edges[_TARGET].get(name, tuple((ZERO,) * size for _ in value))
@@ -103,14 +105,16 @@ def _eliminate(
     order: Sequence[str] | None,
     *,
     names_multiples: bool,
+    limit: int | None,
 ) -> _Trial:
+    """One elimination, given up as soon as it costs as much as ``limit``."""
     trial = _Trial(graph, {name: dict(parents) for name, parents in edges.items()}, names_multiples)
     trial._known.update({d.expression: d.symbol for d in graph.definitions})
     for name, parents in trial.edges.items():
         for parent, matrix in parents.items():
             parents[parent] = _name_entries(trial, name, parent, matrix)
     remaining = list(order) if order is not None else _inner(graph, trial.edges)
-    while remaining:
+    while remaining and (limit is None or trial.cost < limit):
         vertex = remaining.pop(0) if order is not None else _pop_cheapest(trial, remaining)
         _eliminate_vertex(trial, vertex)
     return trial

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -109,6 +110,7 @@ class _Part:
     read: bool = True
     moves: slice | None = None
 
+    @cached_property
     def edges(self) -> tuple[Edge, ...]:
         """Its edges."""
         return edges(self.block) if self.moves is None else error_edges(self.block)
@@ -208,7 +210,7 @@ def _parts(spec: Spec, derivation: Derivation) -> Iterator[_Part]:
 
 def _plan(parts: list[_Part], named: list[BoundScene], count: int, spec: Spec) -> list[_Kind]:
     """What each sample is there for."""
-    alone = [_Alone(part, edge) for part in parts if part.read for edge in part.edges()]
+    alone = [_Alone(part, edge) for part in parts if part.read for edge in part.edges]
     shown = [_Staged(scene, spec.inputs[scene.argument].item) for scene in named]
     return [*((RANDOM, MIXED)[k % 2] for k in range(count)), *alone, *shown]
 
@@ -227,7 +229,7 @@ def _value(part: _Part, kind: _Kind, item: int, rng: Rng, at: Array) -> Array:
         if kind.part is part and item == 0:
             return kind.edge.value(rng, at)
     elif kind == MIXED and rng.random() < 0.75:
-        choices = part.edges()
+        choices = part.edges
         return choices[int(rng.integers(len(choices)))].value(rng, at)
     return part.random(rng, at)
 
