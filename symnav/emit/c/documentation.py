@@ -8,7 +8,6 @@ from collections.abc import Iterator, Sequence
 from symnav import ir
 from symnav.emit.c.comments import paragraph, tagged
 from symnav.emit.c.entry_points import EntryPoint
-from symnav.emit.c.kernel import checks_arguments
 from symnav.emit.c.target import Target
 from symnav.lower.passes.counts import count_operations
 
@@ -83,13 +82,9 @@ def _equation(function: ir.Function) -> Iterator[str]:
 
 def _guards(function: ir.Function) -> Iterator[str]:
     if not function.guarded:
-        looked = "Null pointers, counts and integer inputs are still checked."
-        if not checks_arguments(function):
-            looked = "Nor are pointers, but for calls over many epochs and for differences."
-            looked += "" if function.maximum is None else " Counts are."
         yield from paragraph(
             "Generated without guards: values are neither range-checked nor checked for "
-            f"singularities. {looked}"
+            "singularities. Null pointers, counts and integer inputs are still checked."
         )
         return
     checks = [step for step in (*function.shared, *function.item) if isinstance(step, ir.Check)]
@@ -126,10 +121,7 @@ def _listed(counter: Counter[ir.Operation]) -> str:
 
 def _returns(function: ir.Function, entry: EntryPoint) -> str:
     found = [ir.Status.OK]
-    looked = checks_arguments(function) or any(
-        parameter.name in ("epochs", "reference") for parameter in entry.parameters
-    )
-    if looked and any(parameter.pointer for parameter in entry.parameters):
+    if any(parameter.pointer for parameter in entry.parameters):
         found.append(ir.Status.NULL)
     possible = _possible(function, found, entry)
     listed = (f"{status.name} ({_STATUS_TEXT[status]})" for status in possible)

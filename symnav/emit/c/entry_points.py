@@ -113,7 +113,6 @@ class Single:
             lanes=self.lanes,
             lanes_macro=f"{symbol.upper()}_LANES",
             block=self._block(),
-            checked=self.kernel.checked,
             routines=self._routines(),
             calls=calls,
             batch=self._batch_context(entries[f"{symbol}_batch"]),
@@ -164,11 +163,7 @@ class Single:
             "locals": self._locals(),
             "load": self._load(names),
             "evaluate": self._evaluate(),
-            "stores": [
-                line
-                for store in stores
-                for line in comments.code(store, depth=3 if self.kernel.checked else 1)
-            ],
+            "stores": [line for store in stores for line in comments.code(store, depth=3)],
         }
 
     def _locals(self) -> list[str]:

@@ -52,14 +52,6 @@ class Kernel:
         """True when the function runs over items."""
         return self.function.maximum is not None
 
-    @property
-    def checked(self) -> bool:
-        """True when a call looks at what it is given: guards, or integers that address memory.
-
-        Where it does not, pointers are not looked at either; the number of items always is.
-        """
-        return checks_arguments(self.function)
-
     @cached_property
     def inputs(self) -> Inputs:
         """Names and loaders of the inputs."""
@@ -366,11 +358,6 @@ def _axis_label(index: int | ir.Offset, sections: Sequence[ir.Section]) -> str:
     else:
         name = str(position)
     return f"{name} + {index.slot.argument}" if isinstance(index, ir.Offset) else name
-
-
-def checks_arguments(function: ir.Function) -> bool:
-    """True when a function was generated with guards or has integer inputs."""
-    return function.guarded or any(argument.integer for argument in function.arguments)
 
 
 def _all_loads(function: ir.Function) -> set[ir.Load]:

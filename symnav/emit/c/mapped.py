@@ -92,7 +92,6 @@ class Mapped:
             lanes_macro=self.lanes_macro,
             block=self._block(),
             routines=self._routines(),
-            checked=self.kernel.checked,
             fallible=self.fallible,
             rejects=self.rejects,
             skips=self.skips,
@@ -347,9 +346,7 @@ class Mapped:
         return {
             "head": entry.prototype(self.kernel.target.status),
             "pointers": comments.code(f"if ({entry.pointers}) {{"),
-            "call": comments.code(
-                f"status = {call(inner, names)};", depth=3 if self.kernel.checked else 2
-            ),
+            "call": comments.code(f"status = {call(inner, names)};", depth=3),
         }
 
     def _columns(self, entry: EntryPoint) -> dict[str, object]:
@@ -384,8 +381,8 @@ class Mapped:
             ),
             **self._evaluation("i"),
             "stores": self.statements((self._column_store(s, limit) for s in stores), 2),
-            "call": comments.code(call(name, passed) + ";", depth=5 if kernel.checked else 2),
-            "common": self.statements(self._common_columns(), 5 if kernel.checked else 2),
+            "call": comments.code(call(name, passed) + ";", depth=5),
+            "common": self.statements(self._common_columns(), 5),
             "clears": [line for s in stores for line in self._column_clear(s, limit)],
         }
 
