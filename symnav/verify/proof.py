@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from symnav.binding import STATE
 from symnav.derive import Derivation, DerivedOutput
 from symnav.spec.records import Spec
-from symnav.verify.comparison import Array, Indices, Worst, differences
+from symnav.verify.comparison import Array, Indices, Worst, differences, forget_remainders
 from symnav.verify.exact import DIGITS, Exact
 from symnav.verify.manifold import prove_layout
 from symnav.verify.references import References, quantities
@@ -25,8 +25,6 @@ from symnav.verify.sampling import Samples, draw
 from symnav.verify.scale import ScaleOf, Scales
 from symnav.verify.sheet import LIMITS, Finding, ProofSheet, Row, roundings
 
-#: Part of the largest element of a Jacobian that differences with many digits leave of a zero.
-DIFFERENCED = 1e-40
 #: What references call the outputs that have another name here.
 _REFERENCE_NAMES = {"value_covariance": "covariance", "jacobian_fix": "noise_map"}
 BACKENDS = ("native", "numpy", "casadi")
@@ -297,6 +295,8 @@ def _compare_exact(
                     got = result.get(output, chosen)
                     # The difference is formed with all digits, so that it is not lost in rounding.
                     error = differences(got, truth[output.name])
+                    if not plain:
+                        forget_remainders(error, got)
                     proof.compare(
                         output, f"{label} vs {against}", error, np.zeros_like(error), scale, chosen
                     )
@@ -326,8 +326,7 @@ def _compare_reference(
                 if name in truth:
                     got = result.get(output, chosen)
                     error = differences(got, truth[name])
-                    # A reference may differentiate by differences, which never quite vanish.
-                    error[np.abs(error) < DIFFERENCED * np.abs(got).max()] = 0.0
+                    forget_remainders(error, got)  # it may differentiate by differences
                     scale = scales[output.name].at(np.array([place[int(row)]]))
                     proof.compare(
                         output, "numpy vs reference", error, np.zeros_like(error), scale, chosen

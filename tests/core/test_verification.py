@@ -10,6 +10,7 @@ import sympy as sp
 from mpmath import mp, mpf
 
 from symnav.verify.closures import closure
+from symnav.verify.comparison import forget_remainders
 from symnav.verify.exact import Exact
 from symnav.verify.numbers import Graded, Gradients, ManyDigits
 from symnav.verify.sampling import draw as draw_samples
@@ -156,3 +157,13 @@ def test_samples_stay_inside() -> None:
     again = draw_samples(spec, derived(spec), 200, 1).arguments["x"]
     other = draw_samples(spec, derived(spec), 200, 2).arguments["x"]
     assert (state == again).all() and not (state == other).all()
+
+
+def test_remainders_of_differences_are_no_error() -> None:
+    """What 50-digit differences leave of a zero is no error; a rounding is one."""
+    error = np.array([1e-24, 3e-16, -1e-25, 0.0])
+    forget_remainders(error, np.array([0.0, 1.0, 0.0, -2.0]))
+    assert error.tolist() == [0.0, 3e-16, 0.0, 0.0]
+    alone = np.array([1e-24])
+    forget_remainders(alone, np.array([0.0]))
+    assert alone.tolist() == [1e-24]
