@@ -153,7 +153,7 @@ class Graph:
                 self._item.add(symbol)
             if not frozen and self.moves(expression):
                 self._moving.add(symbol)
-            elif is_multiple(expression):
+            elif guard is None and is_multiple(expression):
                 self._multiples[symbol] = expression
             symbols.append(symbol)
         return tuple(symbols)

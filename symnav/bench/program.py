@@ -143,11 +143,11 @@ def _table(candidates: Sequence[Candidate]) -> str:
     rows = [f'    {{"{c.name}", {c.symbol}, {c.size}, {c.epochs}}},' for c in candidates]
     return "\n".join(
         [
-            "struct contestant { const char *name; void (*call)(const double *, double *);",
+            "struct candidate { const char *name; void (*call)(const double *, double *);",
             "    long size; int epochs; };",
             *(f"void {c.symbol}(const double *, double *);" for c in candidates),
-            f"const int contestant_count = {len(candidates)};",
-            "const struct contestant contestants[] = {",
+            f"const int candidate_count = {len(candidates)};",
+            "const struct candidate candidates[] = {",
             *rows,
             "};",
             "",

@@ -30,6 +30,7 @@ from symnav.quantities import (
     cross,
     dot,
     let,
+    named,
     over,
     rotate,
     total,
@@ -123,13 +124,8 @@ def _pair(
     """(sum w_i a_i) x v_j + (sum w_i v_i) x a_j."""
     angle = let(f"{name}_angle", _weighted(weights, angles))
     velocity = let(f"{name}_velocity", _weighted(weights, velocities))
-    a, v = (_named(f"{letter}{j + 1}", x[j]) for letter, x in (("a", angles), ("v", velocities)))
+    a, v = (named(x[j], f"{letter}{j + 1}") for letter, x in (("a", angles), ("v", velocities)))
     return cross(angle, v) + cross(velocity, a)
-
-
-def _named(name: str, quantity: Quantity) -> Quantity:
-    """The quantity under a name, unless each of its elements has one."""
-    return quantity if all(e.is_Symbol for e in quantity.elements) else let(name, quantity)
 
 
 def _weighted(weights: Sequence[Fraction], pieces: Sequence[Quantity]) -> Quantity:

@@ -1,23 +1,23 @@
-/* Times every contestant of one problem in turn and prints nanoseconds per call.
+/* Times every candidate of one problem in turn and prints nanoseconds per call.
 
    usage: harness REPETITIONS INPUTS OUTPUTS
    INPUTS holds the number of records, their length, then the records, as doubles. OUTPUTS receives
-   what every contestant wrote for the first records, for comparison. */
+   what every candidate wrote for the first records, for comparison. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <time.h>
 
 typedef void (*function_t)(const double *, double *);
 
-struct contestant {
+struct candidate {
     const char *name;
     function_t call;
     long size;
     int epochs;
 };
 
-extern const struct contestant contestants[];
-extern const int contestant_count;
+extern const struct candidate candidates[];
+extern const int candidate_count;
 
 static double now(void)
 {
@@ -65,35 +65,35 @@ int main(int argc, char **argv)
     fclose(file);
     long largest = 0;
 
-    for (int c = 0; c < contestant_count; ++c) {
-        largest = (contestants[c].size > largest) ? contestants[c].size : largest;
+    for (int c = 0; c < candidate_count; ++c) {
+        largest = (candidates[c].size > largest) ? candidates[c].size : largest;
     }
     double *out = aligned_alloc(64, (size_t)((largest * 8 + 63) / 64 * 64));
 
     file = fopen(argv[3], "wb");
-    for (int c = 0; c < contestant_count; ++c) {
-        for (long r = 0; r + contestants[c].epochs <= records; r += contestants[c].epochs) {
-            contestants[c].call(&inputs[r * record], out);
-            fwrite(out, sizeof(double), (size_t)contestants[c].size, file);
+    for (int c = 0; c < candidate_count; ++c) {
+        for (long r = 0; r + candidates[c].epochs <= records; r += candidates[c].epochs) {
+            candidates[c].call(&inputs[r * record], out);
+            fwrite(out, sizeof(double), (size_t)candidates[c].size, file);
         }
     }
     fclose(file);
-    long *calls = malloc((size_t)contestant_count * sizeof(long));
+    long *calls = malloc((size_t)candidate_count * sizeof(long));
 
-    for (int c = 0; c < contestant_count; ++c) {
-        const int step = contestants[c].epochs;
+    for (int c = 0; c < candidate_count; ++c) {
+        const int step = candidates[c].epochs;
         const double each =
-            burst(contestants[c].call, 200, step, records, record, inputs, out) + 0.1;
+            burst(candidates[c].call, 200, step, records, record, inputs, out) + 0.1;
 
         calls[c] = (long)(7e5 / each) + 1;
     }
     for (int r = 0; r < repetitions; ++r) {
-        for (int c = 0; c < contestant_count; ++c) {
-            const int step = contestants[c].epochs;
+        for (int c = 0; c < candidate_count; ++c) {
+            const int step = candidates[c].epochs;
             const double each =
-                burst(contestants[c].call, calls[c], step, records, record, inputs, out);
+                burst(candidates[c].call, calls[c], step, records, record, inputs, out);
 
-            printf("%s %.4f\n", contestants[c].name, each / (double)step);
+            printf("%s %.4f\n", candidates[c].name, each / (double)step);
         }
     }
     free(calls);
