@@ -7,8 +7,10 @@
     write     Input: text by path.                                  Output: a package on disk
     build     Input: a package.                                     Output: its extension
     verify    Input: ``Spec`` and the imported package.             Output: ``ProofSheet``
+    export    Input: ``Spec`` and its C by route of CasADi.         Output: a bundle on disk
 
-``generate`` runs the stages from derive to write; ``verify`` runs them all.
+``generate`` runs the stages from derive to write, ``verify`` all up to its own, and ``export``
+those up to lower, then its own.
 """
 
 from __future__ import annotations
@@ -17,7 +19,7 @@ import importlib
 import importlib.util
 import sys
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from importlib.resources import files
 from pathlib import Path
@@ -31,6 +33,7 @@ if TYPE_CHECKING:
     from symnav.build import BuildResult
     from symnav.derive import Derivation
     from symnav.emit.manifest import CheckReport
+    from symnav.export import Tree
     from symnav.spec.records import Spec
     from symnav.verify.sheet import Finding, ProofSheet
 
@@ -65,6 +68,21 @@ class Derived:
 
     entries: tuple[Derivation, ...]
     layout: tuple[Derivation, ...]
+
+
+@dataclass(frozen=True)
+class Exported:
+    """What an export did.
+
+    Attributes:
+        folder: the bundle.
+        written: relative paths of the files that were new or different.
+        unchanged: True when the bundle was already current.
+    """
+
+    folder: Path
+    written: tuple[str, ...]
+    unchanged: bool
 
 
 def shipped() -> list[tuple[str, str]]:
@@ -161,13 +179,18 @@ def generate(
 def _generate(
     spec: Spec, out: Path, progress: Progress, force: bool = False
 ) -> tuple[Generated, Derived]:
+    from symnav.emit import writing
+    from symnav.lower.module import digest
+
     seconds: dict[str, float] = {}
     if not force:
-        _protect(out / spec.name)
+        writing.protect(out / spec.name)
     derived = _timed("derive", seconds, progress, lambda: derive(spec))
     text = _timed("emit", seconds, progress, lambda: emit(spec, derived))
     package = out / spec.name
-    written = _timed("write", seconds, progress, lambda: _write(spec, package, text))
+    written = _timed(
+        "write", seconds, progress, lambda: writing.write(package, text, digest(spec), spec.scalars)
+    )
     return Generated(package, written, not written, seconds), derived
 
 
@@ -235,6 +258,80 @@ def _verify_in(
     return replace(sheet, findings=(*refused, *sheet.findings))
 
 
+def export(
+    spec: Spec,
+    folder: Path,
+    *,
+    scalar: str = "double",
+    tolerance: float | None = None,
+    force: bool = False,
+    progress: Progress = _silent,
+) -> Exported:
+    """Write the flight-software bundle of a spec; nothing is written when a stage fails.
+
+    Args:
+        spec: what to export.
+        folder: becomes the bundle.
+        scalar: ``double`` or ``float``.
+        tolerance: largest rounding error of a value that is accepted, in the value's unit.
+        force: write over changes made by hand.
+        progress: told each stage.
+
+    Raises:
+        HandEditedError: when files of the bundle there were changed by hand.
+        InputError: when the folder there is no bundle.
+    """
+    from symnav import ir
+    from symnav.emit import writing
+    from symnav.export import Bundle, Options, assemble
+    from symnav.lower.module import digest
+
+    if not force:
+        writing.protect(folder)
+    progress("derive")
+    derived = derive(spec)
+    progress("emit")
+    trees = _trees(spec, derived, ir.Scalar(scalar))
+    derivations = (*derived.layout, *derived.entries)
+    bundle = Bundle(spec, derivations, trees, Options(ir.Scalar(scalar), tolerance))
+    text = assemble(bundle)
+    progress("write")
+    written = writing.write(
+        folder, text, digest(spec), [tree.module.scalar.value for tree in trees]
+    )
+    return Exported(folder, written, not written)
+
+
+def _trees(spec: Spec, derived: Derived, scalar: ir.Scalar) -> tuple[Tree, ...]:
+    """The C of a bundle: one tree, and one more for what must be double in single precision."""
+    from symnav import ir
+    from symnav.emit import c
+    from symnav.export import Tree
+    from symnav.lower.module import module
+
+    functions = c_route(spec, derived)
+    modules = [module(spec, functions)]
+    if scalar is ir.Scalar.FLOAT:
+        wide = {e.name for e in spec.entries if e.model.always_double}
+        single = _in_float(spec)
+        kept = tuple(f for f in functions if f.name in wide)
+        modules = [module(single, functions, scalar)]
+        modules += [module(spec, kept)] if kept else []
+    return tuple(
+        Tree(one, {path.removeprefix("c/"): text for path, text in c.emit(one).items()})
+        for one in modules
+    )
+
+
+def _in_float(spec: Spec) -> Spec:
+    """A spec in which everything that may be single precision is."""
+    entries = tuple(
+        e if e.model.always_double else replace(e, scalars=("double", "float"))
+        for e in spec.entries
+    )
+    return replace(spec, entries=entries)
+
+
 def _refused(package: Path, progress: Progress) -> tuple[Finding, ...]:
     """Build a package that is to be proven; what speaks against it.
 
@@ -288,59 +385,3 @@ def _timed(stage: str, seconds: dict[str, float], progress: Progress, run: Calla
     result = run()
     seconds[stage] = time.perf_counter() - start
     return result
-
-
-def _write(spec: Spec, package: Path, text: Mapping[str, str]) -> tuple[str, ...]:
-    from symnav.emit import manifest
-    from symnav.lower.module import digest
-
-    complete = {**text, **manifest.emit(digest(spec), spec.scalars, text)}
-    changed = [path for path, content in complete.items() if not _same(package / path, content)]
-    stale = _stale_files(package, complete)
-    if changed or stale:
-        _replace(package, complete, stale)
-    return tuple(sorted([*changed, *stale]))
-
-
-def _protect(package: Path) -> None:
-    """Refuse to write over what somebody else wrote."""
-    from symnav.emit import manifest
-    from symnav.errors import HandEditedError
-
-    if not package.exists() or not any(package.iterdir()):
-        return
-    if not (package / "manifest.json").is_file():
-        raise InputError(
-            f"{package}: holds files but is no generated package; choose another --out, or use "
-            "--force to write into it"
-        )
-    report = manifest.check(package, None)
-    if report.state == "hand-edited":
-        raise HandEditedError(
-            f"{package}: changed by hand ({'; '.join(report.reasons[:3])}); keep a copy elsewhere, "
-            "then use --force to write over it"
-        )
-
-
-def _same(path: Path, content: str) -> bool:
-    return path.is_file() and path.read_bytes() == content.encode()
-
-
-def _stale_files(package: Path, complete: Mapping[str, str]) -> list[str]:
-    """Files that an earlier generation wrote and this one does not."""
-    from symnav.emit import manifest
-
-    return [path for path in manifest.listed(package) if path not in complete]
-
-
-def _replace(package: Path, complete: Mapping[str, str], stale: Sequence[str]) -> None:
-    """Every file through a temporary name in its folder; the manifest last."""
-    order = sorted(complete, key=lambda path: path == "manifest.json")
-    for path in order:
-        target = package / path
-        target.parent.mkdir(parents=True, exist_ok=True)
-        partial = target.with_name(f".{target.name}.partial")
-        partial.write_bytes(complete[path].encode())
-        partial.replace(target)
-    for path in stale:
-        (package / path).unlink(missing_ok=True)

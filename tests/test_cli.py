@@ -19,7 +19,9 @@ from click.testing import CliRunner, Result
 from symnav.cli import main
 from symnav.errors import BuildError, InputError, Problem, SpecError
 
-VERBS = ("new", "generate", "build", "verify", "bench", "check", "list", "doctor", "demo")
+VERBS = (
+    "new", "generate", "build", "verify", "bench", "export", "check", "list", "doctor", "demo",
+)  # fmt: skip
 HEAVY = ("sympy", "casadi", "pydantic", "rich", "numpy", "jinja2", "cffi")
 
 

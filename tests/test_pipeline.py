@@ -48,7 +48,7 @@ def test_a_folder_of_somebody_else_is_left_alone(spec: Spec, tmp_path: Path) -> 
     own = tmp_path / spec.name / "notes.txt"
     own.parent.mkdir()
     own.write_text("mine")
-    with pytest.raises(InputError, match="no generated package"):
+    with pytest.raises(InputError, match="not generated"):
         pipeline.generate(spec, tmp_path)
     assert list(own.parent.iterdir()) == [own]
 

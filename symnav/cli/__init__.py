@@ -10,6 +10,7 @@ import click
 
 from symnav import __version__
 from symnav.cli.demonstration import demo
+from symnav.cli.exporting import export
 from symnav.cli.generation import build, check, generate
 from symnav.cli.measurement import bench
 from symnav.cli.project import doctor, list_models, new
@@ -37,5 +38,5 @@ def main() -> None:
     """Turn a navigation state vector into code that is derived, compiled and proven."""
 
 
-for _verb in (new, generate, build, verify, bench, check, list_models, doctor, demo):
+for _verb in (new, generate, build, verify, bench, export, check, list_models, doctor, demo):
     main.add_command(_verb)

@@ -1,0 +1,70 @@
+"""The write stage: text to files, with the manifest that tells them from what others wrote."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from symnav.emit import manifest
+from symnav.errors import HandEditedError, InputError
+
+
+def write(
+    folder: Path, text: Mapping[str, str], specification: str, scalars: Sequence[str]
+) -> tuple[str, ...]:
+    """Write files and their manifest; remove those an earlier generation wrote and this does not.
+
+    Args:
+        folder: what the paths are relative to.
+        text: by path.
+        specification: digest of the specification.
+        scalars: floating-point types of the C.
+
+    Returns:
+        Paths of what was new, different or removed; nothing was touched where there are none.
+    """
+    complete = {**text, **manifest.emit(specification, scalars, text)}
+    changed = [path for path, content in complete.items() if not _same(folder / path, content)]
+    stale = [path for path in manifest.listed(folder) if path not in complete]
+    if changed or stale:
+        _replace(folder, complete, stale)
+    return tuple(sorted([*changed, *stale]))
+
+
+def protect(folder: Path) -> None:
+    """Refuse to write over what somebody else wrote.
+
+    Raises:
+        HandEditedError: when files there were changed by hand.
+        InputError: when the folder holds files but no manifest.
+    """
+    if not folder.exists() or not any(folder.iterdir()):
+        return
+    if not (folder / manifest.MANIFEST).is_file():
+        raise InputError(
+            f"{folder}: holds files but was not generated; choose another folder, or use "
+            "--force to write into it"
+        )
+    report = manifest.check(folder, None)
+    if report.state == "hand-edited":
+        raise HandEditedError(
+            f"{folder}: changed by hand ({'; '.join(report.reasons[:3])}); keep a copy elsewhere, "
+            "then use --force to write over it"
+        )
+
+
+def _same(path: Path, content: str) -> bool:
+    return path.is_file() and path.read_bytes() == content.encode()
+
+
+def _replace(folder: Path, complete: Mapping[str, str], stale: Sequence[str]) -> None:
+    """Every file through a temporary name in its folder; the manifest last."""
+    order = sorted(complete, key=lambda path: path == manifest.MANIFEST)
+    for path in order:
+        target = folder / path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        partial = target.with_name(f".{target.name}.partial")
+        partial.write_bytes(complete[path].encode())
+        partial.replace(target)
+    for path in stale:
+        (folder / path).unlink(missing_ok=True)

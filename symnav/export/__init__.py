@@ -1,0 +1,6 @@
+"""The flight-software bundle: sources, tests, build files, documents and proofs."""
+
+from symnav.export.bundle import assemble
+from symnav.export.records import Bundle, Options, Tree
+
+__all__ = ["Bundle", "Options", "Tree", "assemble"]
