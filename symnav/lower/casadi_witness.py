@@ -12,9 +12,11 @@ import casadi as ca
 import sympy as sp
 
 from symnav.binding import STATE, Origin, Source
+from symnav.blocks import Block, connecting
 from symnav.derive import Derivation, derive_retract
 from symnav.graph import Definition, Graph
 from symnav.lower.casadi_bridge import to_casadi
+from symnav.quantities import Rotation
 from symnav.spec.records import Spec
 
 Table = dict[sp.Symbol, ca.SX]
@@ -155,28 +157,55 @@ def _input_jacobian(
     d = ca.SX.sym("d", source.size)
     x = inputs[source.name]
     raw = source.name in derivation.equation.raw
-    moved = x + d if raw else _moved_input(spec, source, x, d)
+    moved = x + d if raw else _moved_input(spec, source, inputs, d)
     value = _evaluate(spec, derivation, inputs, {source.name: moved}, held).outputs[output]
     return ca.substitute(ca.jacobian(value, d), d, ca.SX.zeros(d.numel()))
 
 
-def _moved_input(spec: Spec, source: Source, x: ca.SX, d: ca.SX) -> ca.SX:
-    """An input moved by its own retract."""
+def _moved_input(spec: Spec, source: Source, inputs: Mapping[str, ca.SX], d: ca.SX) -> ca.SX:
+    """An input moved by its own retract; what else that reads is held."""
     block = spec.inputs[source.name].block
-    graph = Graph()
-    stored = graph.argument([f"x{i}" for i in range(block.storage_size)])
-    error = graph.argument([f"d{i}" for i in range(source.size)])
-    table: Table = dict(zip((*stored, *error), (*_elements(x), *_elements(d)), strict=True))
-    moved = block.retract(graph, stored, error, _NoOthers())
-    _define(graph.definitions, table, {})
-    return ca.vertcat(*[to_casadi(e, table) for e in moved])
+    nominal = _Nominal(spec, inputs)
+    stored = nominal.loaded(block, inputs[source.name])
+    error = nominal.graph.argument([f"d{i}" for i in range(source.size)])
+    nominal.table.update(zip(error, _elements(d), strict=True))
+    moved = block.retract(nominal.graph, stored, error, nominal)
+    _define(nominal.graph.definitions, nominal.table, {})
+    return ca.vertcat(*[to_casadi(e, nominal.table) for e in moved])
 
 
-class _NoOthers:
-    """The nominal state an input's retract may read: none."""
+class _Nominal:
+    """The nominal state and inputs, which the retract of an input may read."""
+
+    def __init__(self, spec: Spec, inputs: Mapping[str, ca.SX]) -> None:
+        self.graph = Graph()
+        self.table: Table = {}
+        self._spec = spec
+        self._inputs = inputs
+
+    def loaded(self, block: Block, elements: ca.SX) -> tuple[sp.Symbol, ...]:
+        """Symbols of a block's elements, worth those given."""
+        names = [f"{block.name}_{i}" for i in range(block.storage_size)]
+        symbols = self.graph.argument(names)
+        self.table.update(zip(symbols, _elements(elements), strict=True))
+        return symbols
 
     def matrix_between(self, source: str, target: str) -> tuple[sp.Expr, ...]:
-        raise AssertionError("an input's error frame is its own")
+        """Nine entries of the rotation from ``source`` to ``target``."""
+        layout, inputs = self._spec.layout, self._spec.inputs
+        shared = [given.block for given in inputs.values() if not given.item]
+        (block,) = connecting(layout.blocks, shared, source, target)
+        name, start = block.name, 0
+        if name in layout.places:
+            start, name = layout.places[name].start, STATE
+        stored = self._inputs[name][start : start + block.storage_size]
+        vertex = self.graph.source(f"error of {block.name}", block.error_size).name
+        rotation = block.attach(self.graph, self.loaded(block, stored), vertex, self)
+        assert isinstance(rotation, Rotation)
+        m = rotation.matrix
+        if rotation.source == source:
+            return m
+        return tuple(m[3 * j + i] for i in range(3) for j in range(3))
 
 
 def _elements(vector: ca.SX) -> Iterator[ca.SX]:

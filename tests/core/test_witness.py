@@ -71,6 +71,18 @@ def held() -> Case:
     )
 
 
+def turned(error_frame: str = "b") -> Case:
+    """A given position whose error is resolved in the frame of the attitude of the state."""
+    return Case(
+        "gnss_position",
+        [rotation("q", error="left")],
+        [replace(vector("p0", frame="n", bound=9.0), error_frame=error_frame)],
+        {"position": "p0", "attitude": "q", "lever_arm": (1.0, -2.0, 0.5)},
+        {"body": "b", "nav": "n", "state": "n"},
+        entry={"jacobian_inputs": ("p0",)},
+    )
+
+
 CASES = {
     "gps": gps(),
     "calibrated gps": calibrated_gps(),
@@ -79,6 +91,7 @@ CASES = {
     "covariance": covariance(),
     "held axes": held(),
     "orbit": orbit("gps"),
+    "turned error of an input": turned(),
 }
 GIVEN = {**GEOMETRY, **ELEMENTS, "slot": (2,)}
 
