@@ -13,7 +13,19 @@ from symnav.emit.c.names import Names
 LOCALS = frozenset(
     (
         *("base", "block", "codes", "common", "count", "covariance", "dense", "epoch", "epochs"),
-        *("evaluated", "failure", "first", "i", "in", "item", "item_status", "k", "lane", "loaded"),
+        *(
+            "evaluated",
+            "failed",
+            "failure",
+            "first",
+            "i",
+            "in",
+            "item",
+            "item_status",
+            "k",
+            "lane",
+            "loaded",
+        ),
         *("matrix", "minus", "n", "nonzeros", "out", "outcome", "outside", "own", "reference"),
         *("rest", "result", "row", "shared", "sigma", "skewed", "status", "stride"),
     )

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from symnav import ir
 from symnav.emit.c import comments
-from symnav.emit.c.entry_points import EntryPoint
+from symnav.emit.c.entries import EntryPoint
 from symnav.emit.c.interface import Interface
 from symnav.emit.c.kernel import Kernel
 from symnav.emit.c.mapped import Mapped

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from symnav import ir
 from symnav.emit.c.comments import paragraph, tagged
-from symnav.emit.c.entry_points import EntryPoint
+from symnav.emit.c.entries import EntryPoint
 from symnav.emit.c.target import Target
 from symnav.lower.passes.counts import count_operations
 
@@ -57,6 +57,7 @@ def _body(function: ir.Function, entry: EntryPoint, target: Target) -> Iterator[
         yield from _equation(function)
     else:
         yield from paragraph(f"See {target.prefix}_{function.name} for the equation.")
+        yield from paragraph(entry.remark) if entry.remark else ()
         yield " *"
     width = max(len(parameter.name) for parameter in entry.parameters)
     for parameter in entry.parameters:

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 
 from symnav import errors, ir
 from symnav.emit.c.arguments import with_free_names
+from symnav.emit.c.blocks import Blocks
 from symnav.emit.c.comments import fitted
 from symnav.emit.c.difference import Differenced
 from symnav.emit.c.documentation import banner
@@ -34,6 +35,9 @@ _HELPERS: Mapping[str, tuple[str, ...]] = {
     "is_skewed_matrix": (),
     "smaller_of": (),
     "larger_of": (),
+    "rows_to_lanes": (),
+    "lanes_to_rows": (),
+    "indices_to_lanes": (),
 }
 
 
@@ -97,6 +101,7 @@ def _kernel_header(module: ir.Module, kernel: Kernel) -> str:
 
 def _check_header(module: ir.Module, target: Target, kernels: Sequence[Kernel]) -> str:
     wanted = {"first_failure"}.union(*(kernel.helpers() for kernel in kernels))
+    wanted.update(*(Blocks(kernel).helpers() for kernel in kernels if not kernel.mapped))
     if any(kernel.function.single_difference and kernel.function.guarded for kernel in kernels):
         wanted.add("is_outside")
     for helper in reversed(tuple(_HELPERS)):

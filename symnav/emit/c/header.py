@@ -12,8 +12,9 @@ from dataclasses import dataclass
 
 from symnav import ir
 from symnav.emit.c import comments
+from symnav.emit.c.blocks import Blocks
 from symnav.emit.c.documentation import banner, entry_comment, status_text
-from symnav.emit.c.entry_points import EntryPoint
+from symnav.emit.c.entries import EntryPoint
 from symnav.emit.c.interface import meaning_text
 from symnav.emit.c.kernel import Kernel
 from symnav.emit.c.store import is_jacobian
@@ -52,6 +53,9 @@ class Section:
         listed: list[Enumerator] = []
         if function.maximum is not None:
             listed.append(Enumerator(f"{stem}_MAX_ITEMS", function.maximum, "most items in a call"))
+        else:
+            blocks = Blocks(self.kernel)
+            listed.append(Enumerator(blocks.macro, blocks.lanes, "epochs in one block"))
         for output in function.outputs:
             if is_jacobian(output) and output.entries:
                 count = len(output.entries)

@@ -70,6 +70,7 @@ class Inputs:
     copied: frozenset[ir.Load]
     chosen: Mapping[ir.Load, Span]
     guarded: bool
+    strided: bool
 
     @cached_property
     def elements(self) -> tuple[Element, ...]:
@@ -115,6 +116,7 @@ class Inputs:
         pointer = ITEM_POINTER if item else INPUT_POINTER
         arguments = [argument for argument in self.arguments if argument.item is item]
         declarations = [self.declaration(argument) for argument in arguments]
+        declarations += ["int32_t stride"] if self.load_stride and not item else []
         if struct:
             declarations.append(f"{struct.name} *{pointer}")
         name = f"{self.name}_load{'_item' if item else ''}"
@@ -123,6 +125,57 @@ class Inputs:
             head=head(f"{self.target.macro}_INLINE flag_t", name, declarations),
             body=tuple(self._loading(arguments)),
         )
+
+    def copier(self) -> Routine:
+        """The function that copies the inputs of one call that were checked before."""
+        struct = self.struct(item=False)
+        declarations = [self.declaration(argument) for argument in self.copied_arguments]
+        declarations += ["int32_t stride"] if self.copy_stride else []
+        declarations += [f"{struct.name} *{INPUT_POINTER}"]
+        lines = [
+            line
+            for element in self._copied(item=False)
+            for line in comments.code(f"{self.place(element.load)} = {self._source(element)};")
+        ]
+        return Routine(
+            brief="Copy the inputs of one call that has passed its checks.",
+            head=head(f"{self.target.macro}_INLINE void", f"{self.name}_copy", declarations),
+            body=tuple(lines),
+        )
+
+    @property
+    def copied_arguments(self) -> list[ir.Argument]:
+        """Arguments of one call of which some element is copied."""
+        copied = {element.argument.name for element in self._copied(item=False)}
+        return [argument for argument in self.arguments if argument.name in copied]
+
+    @property
+    def load_stride(self) -> bool:
+        """True when the loader of one call takes the distance between elements.
+
+        One epoch's are neighbours; of epochs that lie side by side they are as many apart.
+        """
+        ends = [sum(run) for argument in self.arguments for run in self.runs(argument)]
+        return self.strided and any(end > 1 for end in ends)
+
+    @property
+    def copy_stride(self) -> bool:
+        """The same for the function that only copies."""
+        return self.strided and any(element.index for element in self._copied(item=False))
+
+    def runs(self, argument: ir.Argument) -> list[tuple[int, int]]:
+        """First element and length of every run of elements that loading looks at."""
+        found: list[tuple[int, int]] = []
+        for domain in argument.domains:
+            for index in range(domain.start, domain.start + domain.size):
+                element = self.table[ir.Load(argument.name, index)]
+                if not self._is_loaded(element):
+                    continue
+                if found and sum(found[-1]) == index:
+                    found[-1] = (found[-1][0], found[-1][1] + 1)
+                else:
+                    found.append((index, 1))
+        return found
 
     def declaration(self, argument: ir.Argument) -> str:
         """An argument as a parameter of unspecified length."""
@@ -164,6 +217,18 @@ class Inputs:
     def _is_copied(self, element: Element) -> bool:
         return element.load in self.copied
 
+    def _is_loaded(self, element: Element) -> bool:
+        checked = self.guarded or element.argument.integer
+        read = checked and element.domain.kind is not ir.Kind.UNREAD
+        return read or self._is_copied(element)
+
+    def _source(self, element: Element) -> str:
+        """C text of an element where the caller keeps it."""
+        index = str(element.index)
+        if self.strided and element.index:
+            index = "stride" if element.index == 1 else f"{index} * stride"
+        return f"{element.argument.name}[{index}]"
+
     def _copied(self, *, item: bool) -> Iterator[Element]:
         for element in self.elements:
             if element.argument.item is item and self._is_copied(element):
@@ -200,7 +265,7 @@ class Inputs:
             yield from self._checking_norm(argument, domain)
 
     def _loading_element(self, element: Element) -> list[str]:
-        source = f"{element.argument.name}[{element.index}]"
+        source = self._source(element)
         copy = self.place(element.load) if self._is_copied(element) else ""
         if not (self.guarded or element.argument.integer):
             return comments.code(f"{copy} = {source};") if copy else []
@@ -266,7 +331,10 @@ def inputs_of(function: ir.Function, target: Target, loads: Collection[ir.Load])
                 table[element.load] = element
     copied = {load for load in loads if load in table} | _normed(function)
     copied |= {load for load, element in table.items() if element.span}
-    return Inputs(target, function.name, table, frozenset(copied), chosen, function.guarded)
+    return Inputs(
+        target, function.name, table, frozenset(copied), chosen, function.guarded,
+        strided=function.maximum is None,
+    )  # fmt: skip
 
 
 def _is_moving(load: ir.Load) -> bool:

@@ -74,11 +74,45 @@ class Interface:
             if output.entries or not is_jacobian(output)
         ]
 
-    def stacked_outputs(self) -> list[Parameter]:
-        """Outputs of a call for many epochs."""
+    def blocked_arguments(self, lanes: str) -> list[Parameter]:
+        """Inputs of a call for many epochs that lie side by side in blocks of ``lanes``."""
+        return [
+            self._blocked(
+                "const ", argument.name, argument.size, argument.integer, lanes,
+                "in", _argument_text(argument, self.kernel.target.macro),
+            )
+            for argument in self.function.arguments
+        ]  # fmt: skip
+
+    def blocked_outputs(self, lanes: str) -> list[Parameter]:
+        """Outputs of such a call: values, non-zeros of Jacobians and the status of every epoch."""
+        parameters = []
+        for output in self.function.outputs:
+            if not is_jacobian(output):
+                size, text = prod(output.shape), self._dense_text(output, 0)
+                parameters.append(self._blocked("", output.name, size, False, lanes, "out", text))
+            elif output.entries:
+                one = self._nonzeros(output)
+                size = len(output.entries)
+                parameters.append(self._blocked("", one.name, size, False, lanes, "out", one.text))
+        status = self._array("uint8_t", "status", "")
+        text = "Status of every epoch, one byte each, in the order of the epochs."
+        return [*parameters, Parameter(status, "status", True, "out", text)]
+
+    def _blocked(
+        self, const: str, name: str, size: int, integer: bool, lanes: str, way: str, text: str
+    ) -> Parameter:
+        kind = "int32_t" if integer else self.kernel.target.real
+        declared = const + self._array(kind, name, "")
+        return Parameter(declared, name, True, way, f"[blocks x {size} x {lanes}] {text}")
+
+    def stacked_outputs(self, *, nonzeros: bool = False) -> list[Parameter]:
+        """Outputs of a call for many epochs: Jacobians in full, or their non-zeros."""
         real = self.kernel.target.real
         parameters = [
-            Parameter(
+            self._stacked_nonzeros(output)
+            if nonzeros and is_jacobian(output)
+            else Parameter(
                 self._array(real, output.name, ""),
                 output.name,
                 True,
@@ -86,6 +120,7 @@ class Interface:
                 f"As in one call, epoch after epoch, by row: {self._stack(output)}.",
             )
             for output in self.function.outputs
+            if output.entries or not (nonzeros and is_jacobian(output))
         ]
         text = "Status of every epoch, one byte each."
         status = self._array("uint8_t", "status", "")
@@ -155,6 +190,14 @@ class Interface:
         return Parameter(
             self._array(self.kernel.target.real, name, size), name, True, "out", f"{text}."
         )
+
+    def _stacked_nonzeros(self, output: ir.Output) -> Parameter:
+        """Non-zeros of many epochs; those of items in columns as long as there are items."""
+        name, count = f"{output.name}_nz", len(output.entries)
+        items = output.item and self.kernel.mapped
+        shape = f"[epochs x {count} x n]" if items else f"[epochs x {count}]"
+        text = f"{shape} Structural non-zeros of {output.name}, in the order of the tables."
+        return Parameter(self._array(self.kernel.target.real, name, ""), name, True, "out", text)
 
     def _array(self, kind: str, name: str, size: str) -> str:
         restrict = f"{self.kernel.target.macro}_RESTRICT"

@@ -119,6 +119,12 @@ class Kernel:
         """True when the item part reads inputs of its item."""
         return any(self.inputs.is_per_item(load) for load in self._item_loads)
 
+    @cached_property
+    def fallible(self) -> bool:
+        """True when an evaluation can fail: something about it is checked."""
+        function = self.function
+        return function.guarded or any(argument.integer for argument in function.arguments)
+
     @property
     def item_reads_shared(self) -> bool:
         """True when the item part reads results of the shared part."""
@@ -136,7 +142,11 @@ class Kernel:
         """Loaders and kernels, in the order they are called."""
         loaders = [self.inputs.loader(item=False)]
         if not self.mapped:
-            return [*loaders, self._single()]
+            # Without checks, loading is copying.
+            copiers = (
+                [self.inputs.copier()] if self.fallible and self.inputs.copied_arguments else []
+            )
+            return [*loaders, *copiers, self._single()]
         return [*loaders, self._shared(), self.inputs.loader(item=True), self._item()]
 
     def helpers(self) -> set[str]:

@@ -7,49 +7,28 @@ are filled. What all items share is computed, and checked, once before.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from math import prod
 
 from symnav import ir
 from symnav.emit.c import comments
-from symnav.emit.c.entry_points import EntryPoint, has_nonzeros, variants
-from symnav.emit.c.inputs import INPUT_POINTER, ITEM_POINTER
+from symnav.emit.c.columns import Columns, column_name, column_size
+from symnav.emit.c.entries import EntryPoint, has_nonzeros, variants
+from symnav.emit.c.inputs import INPUT_POINTER
 from symnav.emit.c.interface import EPOCHS, Interface
-from symnav.emit.c.kernel import OUTPUT_POINTER, SHARED_POINTER, Kernel, slots_of
+from symnav.emit.c.items import ItemLoops, scaled
+from symnav.emit.c.kernel import OUTPUT_POINTER, SHARED_POINTER, slots_of
 from symnav.emit.c.pieces import Field, Routine, Struct, call, head
-from symnav.emit.c.store import Store, Use, is_jacobian, stores_of
+from symnav.emit.c.store import Use, is_jacobian, stores_of
 from symnav.emit.templates import render
 
 LANES = 16
 
 
 @dataclass(frozen=True, slots=True)
-class Mapped:
+class Mapped(ItemLoops):
     """The source file of a mapped function."""
-
-    kernel: Kernel
-
-    @property
-    def lanes_macro(self) -> str:
-        """Macro that holds the items side by side in one block."""
-        return f"{self.kernel.symbol.upper()}_LANES"
-
-    @property
-    def fallible(self) -> bool:
-        """True when an item can fail: something about it is checked."""
-        function = self.kernel.function
-        return function.guarded or any(a.integer for a in function.arguments if a.item)
-
-    @property
-    def rejects(self) -> bool:
-        """True when one bad item fails the call."""
-        return self.fallible and self.kernel.function.items is ir.Items.REJECT
-
-    @property
-    def skips(self) -> bool:
-        """True when a bad item has a row of zeros."""
-        return self.fallible and not self.rejects
 
     def entry_points(self) -> list[EntryPoint]:
         """Public symbols in the order of the header."""
@@ -72,6 +51,11 @@ class Mapped:
         parameters = (EPOCHS, *interface.stepped_arguments(), *interface.stacked_outputs())
         brief = f"{function.title}: many epochs in one call, the same number of items in each."
         listed.append(EntryPoint(f"{symbol}_batch", brief, parameters))
+        if has_nonzeros(function):
+            outputs = interface.stacked_outputs(nonzeros=True)
+            parameters = (EPOCHS, *interface.stepped_arguments(), *outputs)
+            brief = f"{function.title}: values and structural non-zeros of many epochs."
+            listed.append(EntryPoint(f"{symbol}_batch_nz", brief, parameters))
         return listed
 
     def source(self, banner: Sequence[str]) -> str:
@@ -104,8 +88,8 @@ class Mapped:
                 self._public(entries[symbol + suffix], f"{self.kernel.local}_rows{suffix}")
                 for suffix, _, _ in kinds
             ],
-            columns=self._columns(entries[f"{symbol}_nz"]) if has_nonzeros(function) else None,
-            batch=self._batch(entries[f"{symbol}_batch"], by_row=stacked),
+            columns=Columns(self.kernel).columns(entries) if has_nonzeros(function) else None,
+            batches=self._batches(entries, by_row=stacked),
         )
 
     def prologue(self) -> dict[str, object]:
@@ -124,18 +108,6 @@ class Mapped:
             "load": call(f"{kernel.local}_load", [*shared_arguments, *given]),
             "evaluate": call(f"{kernel.local}_shared", [*read, *made]),
         }
-
-    def context(self, *, address: bool) -> list[str]:
-        """What a loop over items needs of the shared part, as arguments of a call."""
-        mark = "&" if address else ""
-        names = [f"{mark}{INPUT_POINTER}"] if self.kernel.item_reads_input else []
-        return [*names, *([f"{mark}{SHARED_POINTER}"] if self.kernel.item_reads_shared else [])]
-
-    def items_from(self, first: str) -> list[str]:
-        """The item arguments from one item on."""
-        return [
-            f"&{argument.name}[{scaled(argument.size, first)}]" for argument in self._item_arguments
-        ]
 
     def fills(
         self, outputs: Iterable[ir.Output], use: Use, row: str, *, block: str = "block"
@@ -157,41 +129,12 @@ class Mapped:
             for store in stores_of(self.kernel, self._per_item(outputs), use)
         ]
 
-    def common_fills(self, outputs: Iterable[ir.Output], use: Use) -> list[str]:
-        """Statements that store what does not depend on the item."""
-        chosen = [output for output in outputs if not output.item]
-        return [
-            call(
-                store.fill,
-                [
-                    *([f"{SHARED_POINTER}.{store.output.name}"] if store.count else []),
-                    *(["1"] if store.count > 1 else []),
-                    store.output.name,
-                ],
-            )
-            + ";"
-            for store in stores_of(self.kernel, chosen, use)
-        ]
-
     def slot_value(self, slot: ir.Load, block: str, lane: str) -> str:
         """The slot of an item, or of the call where it is not per item."""
         element = self.kernel.inputs.table[slot]
         if element.argument.item:
             return f"{block}.{element.field}[{lane}]"
         return f"{INPUT_POINTER}.{element.field}"
-
-    @staticmethod
-    def row(store: Store, item: str) -> str:
-        """Address of the row of an item in a dense output."""
-        return f"&{store.output.name}[{scaled(store.layout.item or 1, item)}]"
-
-    def statements(self, texts: Iterable[str], depth: int) -> list[str]:
-        """Statements, wrapped."""
-        return [line for text in texts for line in comments.code(text, depth=depth)]
-
-    @property
-    def _item_arguments(self) -> list[ir.Argument]:
-        return [argument for argument in self.kernel.function.arguments if argument.item]
 
     @property
     def _item_slots(self) -> list[ir.Load]:
@@ -238,46 +181,6 @@ class Mapped:
         }
         return [*puts, *fills.values(), *(clears.values() if self.skips else ())]
 
-    def _loop_head(self, name: str, result: str, last: Sequence[str]) -> tuple[str, ...]:
-        """Head of a function that loops over items."""
-        kernel = self.kernel
-        restrict = f"{kernel.target.macro}_RESTRICT"
-        struct, shared = kernel.inputs.struct(item=False), kernel.shared_struct
-        declarations: list[str] = []
-        if kernel.item_reads_input:
-            declarations.append(f"const {struct.name} *{restrict} {INPUT_POINTER}")
-        if kernel.item_reads_shared:
-            declarations.append(f"const {shared.name} *{restrict} {SHARED_POINTER}")
-        declarations.append("int32_t count")
-        for argument in self._item_arguments:
-            kind = "int32_t" if argument.integer else kernel.target.real
-            declarations.append(f"const {kind} {argument.name}[{restrict}]")
-        return head(result, name, [*declarations, *last])
-
-    def _evaluation(self, place: str) -> dict[str, object]:
-        """Locals and calls for one item in a loop."""
-        kernel = self.kernel
-        item = kernel.inputs.struct(item=True)
-        copy = [f"&{ITEM_POINTER}"] if item else []
-        read = copy if kernel.item_reads_item else []
-        load = call(f"{kernel.local}_load_item", [*self.items_from(place), *copy])
-        evaluate = call(
-            f"{kernel.local}_item",
-            [*self.context(address=False), *read, f"&{OUTPUT_POINTER}"],
-        )
-        return {
-            "locals": [
-                *([f"{item.name} {ITEM_POINTER};"] if item else []),
-                f"{kernel.output_struct.name} {OUTPUT_POINTER};",
-            ],
-            "load": comments.code(f"{self._kept('loaded')}{load};", depth=2),
-            "evaluate": comments.code(f"{self._kept('evaluated')}{evaluate};", depth=2),
-        }
-
-    def _kept(self, name: str) -> str:
-        """What stands in front of a call whose verdict matters only where items can fail."""
-        return f"const flag_t {name} = " if self.fallible else "(void)"
-
     def _lanes(self, suffix: str, outputs: Sequence[ir.Output]) -> dict[str, object]:
         kernel = self.kernel
         block = f"{self._block().name} *{kernel.target.macro}_RESTRICT block"
@@ -301,10 +204,10 @@ class Mapped:
             if any(slot in slots_of(output) for output in chosen)
         ]
         return {
-            "head": self._loop_head(
+            "head": self.loop_head(
                 f"{kernel.local}_lanes{suffix}", f"static {kernel.target.macro}_WIDE void", [block]
             ),
-            **self._evaluation("lane"),
+            **self.evaluation("lane"),
             "puts": self.statements(puts, 2),
         }
 
@@ -312,10 +215,10 @@ class Mapped:
         status = f"uint8_t item_status[{self.kernel.target.macro}_RESTRICT]"
         result = f"static {self.kernel.target.status}"
         name = f"{self.kernel.local}_check_items"
-        return {"head": self._loop_head(name, result, [status]), **self._evaluation("i")}
+        return {"head": self.loop_head(name, result, [status]), **self.evaluation("i")}
 
     def _check_call(self) -> str:
-        arguments = [*self.context(address=True), "n", *(a.name for a in self._item_arguments)]
+        arguments = [*self.context(address=True), "n", *(a.name for a in self.item_arguments)]
         return call(f"{self.kernel.local}_check_items", [*arguments, "item_status"])
 
     def lanes_call(self, suffix: str, first: str, count: str, block: str) -> str:
@@ -349,99 +252,47 @@ class Mapped:
             "call": comments.code(f"status = {call(inner, names)};", depth=3),
         }
 
-    def _columns(self, entry: EntryPoint) -> dict[str, object]:
-        """The entry point that stores non-zeros, column by column across the items."""
-        kernel, limit = self.kernel, Interface(self.kernel).limit
-        outputs = [output for output in kernel.function.outputs if output.item]
-        stores = [
-            store
-            for store in stores_of(kernel, outputs, Use.DENSE)
-            if store.count or not is_jacobian(store.output)
-        ]
-        parameters = [
-            parameter.declaration
-            for parameter in entry.parameters
-            if parameter.direction == "out"
-            and parameter.name.removesuffix("_nz") in {store.output.name for store in stores}
-        ]
-        codes = [f"flag_t codes[{kernel.target.macro}_RESTRICT]"] if self.fallible else []
-        name = f"{kernel.local}_columns"
-        passed = [
-            *self.context(address=True),
-            "n",
-            *(argument.name for argument in self._item_arguments),
-            *(_column_name(store.output) for store in stores),
-            *(["codes"] if self.fallible else []),
-        ]
-        return {
-            "head": entry.prototype(f"{kernel.target.macro}_WIDE {kernel.target.status}"),
-            "pointers": comments.code(f"if ({entry.pointers}) {{"),
-            "loop_head": self._loop_head(
-                name, f"{kernel.target.macro}_INLINE void", [*parameters, *codes]
-            ),
-            **self._evaluation("i"),
-            "stores": self.statements((self._column_store(s, limit) for s in stores), 2),
-            "call": comments.code(call(name, passed) + ";", depth=5),
-            "common": self.statements(self._common_columns(), 5),
-            "clears": [line for s in stores for line in self._column_clear(s, limit)],
-        }
+    def _batches(
+        self, entries: Mapping[str, EntryPoint], *, by_row: bool
+    ) -> list[dict[str, object]]:
+        """The loops over epochs: full rows, and non-zeros in columns as long as there are items."""
+        local, symbol = self.kernel.local, self.kernel.symbol
+        outputs = self.kernel.function.outputs
+        rows = [(output.name, output, scaled(prod(output.shape), "epoch")) for output in outputs]
+        inner = f"{local}_rows{'_by_row' if by_row else ''}"
+        batches = [self._batch(entries[f"{symbol}_batch"], inner, [], rows)]
+        if has_nonzeros(self.kernel.function):
+            columns = [
+                (column_name(output), output, scaled(column_size(output), "epoch"))
+                for output in outputs
+                if output.entries or not is_jacobian(output)
+            ]
+            entry = entries[f"{symbol}_batch_nz"]
+            stride = ["n"] if Columns(self.kernel).strided else []
+            batches.append(self._batch(entry, f"{local}_sparse", stride, columns, wide=True))
+        return batches
 
-    def _column_store(self, store: Store, limit: str) -> str:
-        name = store.output.name
-        if is_jacobian(store.output):
-            stride = [limit] if store.count > 1 else []
-            return call(store.put, [f"&{OUTPUT_POINTER}", *stride, f"&{name}_nz[i]"]) + ";"
-        arguments = [f"{OUTPUT_POINTER}.{name}"] if store.count else []
-        arguments += ["1"] if store.count > 1 else []
-        arguments += [self.kernel.inputs.place(slot, pointers=False) for slot in store.slots]
-        return call(store.fill, [*arguments, self.row(store, "i")]) + ";"
-
-    def _column_clear(self, store: Store, limit: str) -> list[str]:
-        if not is_jacobian(store.output):
-            return self.statements([call(store.clear, [self.row(store, "i")]) + ";"], 7)
-        zero = self.kernel.target.literal(0.0)
-        indent = "    " * 7
-        return [
-            f"{indent}for (int32_t k = 0; k < {store.count}; ++k) {{",
-            f"{indent}    {store.output.name}_nz[(k * {limit}) + i] = {zero};",
-            f"{indent}}}",
-        ]
-
-    def _common_columns(self) -> list[str]:
-        lines: list[str] = []
-        for store in stores_of(self.kernel, self.kernel.common, Use.DENSE):
-            name = store.output.name
-            if not is_jacobian(store.output):
-                lines += self.common_fills([store.output], Use.DENSE)
-                continue
-            lines += [f"{name}_nz[{k}] = {SHARED_POINTER}.{name}[{k}];" for k in range(store.count)]
-        return lines
-
-    def _batch(self, entry: EntryPoint, *, by_row: bool) -> dict[str, object]:
+    def _batch(
+        self,
+        entry: EntryPoint,
+        inner: str,
+        first: Sequence[str],
+        outputs: Sequence[tuple[str, ir.Output, str]],
+        *,
+        wide: bool = False,
+    ) -> dict[str, object]:
         kernel = self.kernel
         arguments: list[str] = []
         for argument in kernel.function.arguments:
             arguments.append(f"&{argument.name}[epoch * {argument.name}_step]")
             arguments += ["n"] if len(arguments) == 1 else []
-        for output in kernel.function.outputs:
-            count = scaled(prod(output.shape), "epoch")
+        for name, output, count in outputs:
             place = f"({count}) * n" if "*" in count else f"{count} * n"
-            arguments.append(f"&{output.name}[{place if output.item else count}]")
-        inner = f"{kernel.local}_rows{'_by_row' if by_row else ''}"
-        text = call(inner, [*arguments, "&item_status[epoch * n]"])
+            arguments.append(f"&{name}[{place if output.item else count}]")
+        text = call(inner, [*first, *arguments, "&item_status[epoch * n]"])
+        clones = f"{kernel.target.macro}_WIDE " if wide else ""
         return {
-            "head": entry.prototype(kernel.target.status),
+            "head": entry.prototype(f"{clones}{kernel.target.status}"),
             "pointers": comments.code(f"if ({entry.pointers}) {{"),
             "call": comments.code(f"const {kernel.target.status} outcome = {text};", depth=4),
         }
-
-
-def scaled(size: int, index: str) -> str:
-    """``size * index`` without needless arithmetic."""
-    if size == 1 or index == "0":
-        return index
-    return f"{size} * {index}"
-
-
-def _column_name(output: ir.Output) -> str:
-    return f"{output.name}_nz" if is_jacobian(output) else output.name

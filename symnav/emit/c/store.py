@@ -102,6 +102,11 @@ class Store:
         return f"{self.kernel.local}_fill_{self.output.name}{self.suffix}"
 
     @property
+    def spread(self) -> str:
+        """Name of the function that stores the dense form with a stride."""
+        return f"{self.kernel.local}_spread_{self.output.name}{self.suffix}"
+
+    @property
     def clear(self) -> str:
         """Name of the function that stores a zero row."""
         return f"{self.kernel.local}_clear_{self.output.name}{self.suffix}"
@@ -115,6 +120,12 @@ class Store:
     def count(self) -> int:
         """Number of structural non-zeros."""
         return len(self.output.entries)
+
+    @property
+    def complete(self) -> bool:
+        """True when the non-zeros are the dense form, element by element."""
+        places = [self._positions()[k] for k in range(self.layout.size)]
+        return [entry.index for entry in self.output.entries] == places
 
     @property
     def slots(self) -> tuple[ir.Load, ...]:
@@ -146,6 +157,31 @@ class Store:
             f"Store {self.output.name} in full, structural zeros included.",
             head(self._inline, self.fill, [*parameters, f"{real} dense[]"]),
             (*self._elements("nonzeros[{0}]"), *self._moving("nonzeros[{0}]", "=", "")),
+        )
+
+    def spreading(self) -> Routine:
+        """The output structure to the dense form, its elements a stride apart."""
+        parameters = (
+            [f"const {self.kernel.output_struct.name} *{OUTPUT_POINTER}"] if self.count else []
+        )
+        parameters += ["int32_t stride"] if self.layout.size > 1 else []
+        parameters += [f"int32_t {self.slot_name(slot)}" for slot in self.slots]
+        lines: list[str] = []
+        fixed = {entry.index: position for position, entry in enumerate(self.output.entries)}
+        for place, index in sorted(self._positions().items()):
+            position = fixed.get(index)
+            text = self.kernel.target.literal(0.0)
+            if position is not None:
+                text = f"{OUTPUT_POINTER}->{self.output.name}[{position}]"
+            lines += comments.code(f"dense[{_product(place, 'stride')}] = {text};")
+        lines += [
+            line.replace("dense[", "dense[(").replace("] = ", ") * stride] = ", 1)
+            for line in self._moving(f"{OUTPUT_POINTER}->{self.output.name}[{{0}}]", "=", "")
+        ]
+        return Routine(
+            f"Store {self.output.name} in full, its elements a stride apart.",
+            head(self._inline, self.spread, [*parameters, f"{self.kernel.target.real} dense[]"]),
+            tuple(lines),
         )
 
     def differencing(self) -> Routine:
