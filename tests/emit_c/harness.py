@@ -137,8 +137,9 @@ class Library:
         n: int = 0,
         *,
         common: Sequence[str] = (),
+        nonzeros: bool = False,
     ) -> Outcome:
-        """Call the entry point for many epochs; some arguments may be common to all of them."""
+        """Call an entry point for many epochs; some arguments may be common to all of them."""
         epochs = len(values)
         mapped = function.maximum is not None
         listed = [self.inputs(function, one) for one in values]
@@ -156,9 +157,58 @@ class Library:
         outputs: dict[str, NDArray[Any]] = {}
         for output in function.outputs:
             items = (n,) if mapped and output.item else ()
-            outputs[output.name] = np.full((epochs, *items, *output.shape), UNTOUCHED, self.real)
+            shape = (*items, *output.shape)
+            if nonzeros and output.name.startswith("jacobian"):
+                if not output.entries:
+                    continue
+                shape = (len(output.entries), *items)
+            outputs[output.name] = np.full((epochs, *shape), UNTOUCHED, self.real)
         outputs["status"] = np.full(epochs, UNTOUCHED_BYTE, np.uint8)
         if mapped:
             outputs["item_status"] = np.full((epochs, n), UNTOUCHED_BYTE, np.uint8)
-        status = self.call(f"{function.name}_batch", [*arguments, *outputs.values()])
+        suffix = "_batch_nz" if nonzeros else "_batch"
+        status = self.call(f"{function.name}{suffix}", [*arguments, *outputs.values()])
+        return Outcome(status, outputs)
+
+    def lanes(self, function: ir.Function) -> int:
+        """Epochs side by side in a block."""
+        name = f"{self.prefix}_{function.name}_LANES".upper()
+        return int(self.constant(name))
+
+    def blocks(
+        self, function: ir.Function, values: Sequence[Mapping[str, Array]], spare: float = np.nan
+    ) -> Outcome:
+        """Call the entry point for blocks of epochs; outputs come back with an epoch a row.
+
+        Args:
+            function: not mapped.
+            values: inputs of every epoch.
+            spare: what stands in lanes behind the last epoch.
+        """
+        lanes, epochs = self.lanes(function), len(values)
+        blocks = -(-epochs // lanes)
+        listed = [self.inputs(function, one) for one in values]
+        arguments: list[object] = [epochs]
+        for argument in function.arguments:
+            kind = np.int32 if argument.integer else self.real
+            filling = 2**31 - 1 if argument.integer else spare
+            array = np.full((blocks, argument.size, lanes), filling, kind)
+            for epoch, one in enumerate(listed):
+                array[epoch // lanes, :, epoch % lanes] = one[argument.name]
+            arguments.append(array)
+        outputs: dict[str, NDArray[Any]] = {}
+        for output in function.outputs:
+            sparse = output.name.startswith("jacobian")
+            size = len(output.entries) if sparse else prod(output.shape)
+            if size or not sparse:
+                outputs[output.name] = np.full((blocks, size, lanes), UNTOUCHED, self.real)
+        outputs["status"] = np.full(blocks * lanes, UNTOUCHED_BYTE, np.uint8)
+        status = self.call(f"{function.name}_blocks", [*arguments, *outputs.values()])
+        assert np.all(outputs["status"][epochs:] == UNTOUCHED_BYTE)
+        for name, array in outputs.items():
+            if name != "status":
+                rows = array.transpose(0, 2, 1).reshape(blocks * lanes, array.shape[1])
+                assert np.all(rows[epochs:] == UNTOUCHED)
+                outputs[name] = rows[:epochs]
+        outputs["status"] = outputs["status"][:epochs]
         return Outcome(status, outputs)
