@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from typing import Any
 
@@ -11,7 +11,6 @@ import numpy as np
 
 from ._calls import Evaluation, Function
 from ._extension import Library
-from ._places import gather
 from ._runtime import (
     Array,
     Extent,
@@ -41,7 +40,12 @@ class CompiledFunction(Function):
         }
         if any(output.places for output in signature.jacobians):
             self._entries[Part.NONZEROS] = library.entry(f"{signature.name}_nz")
+        self._library = library
         self._batch = library.entry(f"{signature.name}_batch")
+        if Part.NONZEROS in self._entries:
+            self._batch_nonzeros = library.entry(f"{signature.name}_batch_nz")
+        if not signature.mapped:
+            self._blocks = library.entry(f"{signature.name}_blocks")
         if signature.single_difference:
             self._differences = library.entry(f"{signature.name}_sd")
 
@@ -102,9 +106,9 @@ class CompiledFunction(Function):
         """The same for the batch loop, unless an argument must be spread over some axes first."""
         if not all(_lies_ready(array, rank, extent) for array, rank in self._ranked(arrays)):
             return super().bound(arrays, extent, out)
-        status, items, inputs = self._batch_inputs(arrays, extent)
-        pointers = map(self._pointer, [*out, status, *items])
-        run = partial(self._batch, status.size, *inputs, *pointers)
+        status, items = self._statuses(extent)
+        calls = self._shared(self._batch, arrays, extent, [*out, status, *items])
+        run = calls[0] if len(calls) == 1 else partial(self._library.run, calls)
         evaluation = Evaluation(out, status, items[0] if items else None)
         done = self.result(evaluation, arrays)
 
@@ -170,59 +174,120 @@ class CompiledFunction(Function):
         array = np.empty(shape, dtype=self.real) if given is None else given
         return array, array
 
+    def evaluate_blocks(
+        self,
+        arrays: Sequence[Array],
+        epochs: int,
+        outputs: Mapping[str, Array],
+        status: Array,
+    ) -> None:
+        """Blocks are what the C reads and writes in place."""
+        self.bound_blocks(arrays, epochs, outputs, status)()
+
+    def bound_blocks(
+        self,
+        arrays: Sequence[Array],
+        epochs: int,
+        outputs: Mapping[str, Array],
+        status: Array,
+    ) -> Callable[[], Any]:
+        """One call for all blocks, or one for each thread, which then has whole blocks."""
+        stored = [outputs[output.name] for output in self.signature.outputs if _is_stored(output)]
+        lanes, memory = self.signature.lanes, [*arrays, *stored]
+        calls = []
+        for first, number in self._library.shares(-(-epochs // lanes), lanes):
+            start = first * lanes
+            count = min(number * lanes, epochs - start)
+            places = [self._pointer(array[first : first + number]) for array in memory]
+            places.append(self._pointer(status[start : start + count]))
+            calls.append(partial(self._blocks, count, *places))
+        return calls[0] if len(calls) == 1 else partial(self._library.run, calls)
+
     def _many(
         self, part: Part, arrays: Sequence[Array], extent: Extent, out: list[Array] | None
     ) -> Evaluation:
-        """Calls the batch loop, which stores every output, by row."""
+        """Calls the loop over epochs, which stores every output, by row."""
+        if part is Part.NONZEROS:
+            return self._many_nonzeros(arrays, extent, out)
         wanted = outputs_of(self.signature, part)
-        direct = () if part is Part.NONZEROS else out or ()
-        given = dict(zip((output.name for output in wanted), direct, strict=False))
+        given = dict(zip((output.name for output in wanted), out or (), strict=False))
         whole = {
             output.name: given[output.name]
             if output.name in given
             else np.empty(output_shape(output, Part.ALL, extent), dtype=self.real)
             for output in self.signature.outputs
         }
-        status, items, inputs = self._batch_inputs(arrays, extent)
-        pointers = map(self._pointer, [*whole.values(), status, *items])
-        self._batch(status.size, *inputs, *pointers)
+        status, items = self._statuses(extent)
+        memory = [*whole.values(), status, *items]
+        self._library.run(self._shared(self._batch, arrays, extent, memory))
         results = [whole[output.name] for output in wanted]
-        if part is Part.NONZEROS:
-            results = self._nonzeros(results, arrays, extent, status, out)
         evaluation = Evaluation(out or results, status, items[0] if items else None)
         return self._voided(evaluation, out)
 
-    def _batch_inputs(
-        self, arrays: Sequence[Array], extent: Extent
-    ) -> tuple[Array, list[Array], list[Any]]:
-        """Room for the status of every epoch and item, and what the batch loop reads."""
-        status = np.empty(extent.batch, dtype=np.uint8)
-        items = [np.zeros((*extent.batch, number), dtype=np.uint8) for number in _numbers(extent)]
-        inputs: list[Any] = []
-        for array, rank in self._ranked(arrays):
-            memory, step = _stepped(array, rank, extent)
-            inputs += [self._pointer(memory), step, *(_numbers(extent) if not inputs else ())]
-        return status, items, inputs
-
-    def _nonzeros(
-        self,
-        dense: Sequence[Array],
-        arrays: Sequence[Array],
-        extent: Extent,
-        status: Array,
-        out: list[Array] | None,
-    ) -> list[Array]:
-        """Non-zeros from a stack of dense Jacobians, put where they were asked for."""
-        named = dict(zip(self.signature.names, arrays, strict=True))
-        results = [
-            gather(output, array.reshape((*_lead(output, extent), output.size)), named)
-            for output, array in zip(self.signature.jacobians, dense, strict=True)
-        ]
+    def _many_nonzeros(
+        self, arrays: Sequence[Array], extent: Extent, out: list[Array] | None
+    ) -> Evaluation:
+        """The same for non-zeros, which lie in columns where there are items."""
+        given = dict(zip((o.name for o in self.signature.jacobians), out or (), strict=False))
+        memory, results = [], []
+        for output in self.signature.outputs:
+            shape = output_shape(output, Part.NONZEROS if output.jacobian else Part.ALL, extent)
+            columns = output.jacobian and output.item and extent.items is not None
+            if columns:
+                array = np.empty((*shape[:-2], shape[-1], shape[-2]), dtype=self.real)
+            else:
+                array = given.get(output.name)
+                array = np.empty(shape, dtype=self.real) if array is None else array
+            memory += [array] if _is_stored(output) else []
+            if output.jacobian:
+                results.append(np.swapaxes(array, -1, -2) if columns else array)
+        status, items = self._statuses(extent)
+        if Part.NONZEROS in self._entries:
+            calls = self._shared(self._batch_nonzeros, arrays, extent, [*memory, status, *items])
+            self._library.run(calls)
+        else:
+            status = self._many(Part.VALUE, arrays, extent, None).status
         passed = (status == Status.OK) | (status == Status.PARTIAL)
         for target, result in zip(out or (), results, strict=False):
-            where = passed.reshape(passed.shape + (1,) * (result.ndim - passed.ndim))
-            np.copyto(target, result, where=where)
-        return results
+            if target is not result:
+                where = passed.reshape(passed.shape + (1,) * (result.ndim - passed.ndim))
+                np.copyto(target, result, where=where)
+        evaluation = Evaluation(out or results, status, items[0] if items else None)
+        return self._voided(evaluation, out)
+
+    def _shared(
+        self,
+        entry: Callable[..., int],
+        arrays: Sequence[Array],
+        extent: Extent,
+        memory: Sequence[Array],
+    ) -> list[Callable[[], Any]]:
+        """The call of a loop over epochs, or one for each thread; the first keeps memory alive.
+
+        Args:
+            entry: the loop.
+            arrays: arguments.
+            extent: epochs and items.
+            memory: outputs and statuses, each with one part per epoch.
+        """
+        epochs, numbers = math.prod(extent.batch), _numbers(extent)
+        inputs = [_stepped(array, rank, extent) for array, rank in self._ranked(arrays)]
+        read = [(self._pointer(array), step) for array, step in inputs]
+        written = [(self._pointer(array), array.size // max(epochs, 1)) for array in memory]
+        calls: list[Callable[[], Any]] = []
+        for first, count in self._library.shares(epochs):
+            passed: list[Any] = []
+            for pointer, step in read:
+                passed += [pointer + first * step if first else pointer, step]
+                passed += numbers if len(passed) == 2 else ()
+            passed += [pointer + first * step if first else pointer for pointer, step in written]
+            calls.append(partial(entry, count, *passed))
+        return calls
+
+    def _statuses(self, extent: Extent) -> tuple[Array, list[Array]]:
+        """Room for the status of every epoch and item."""
+        items = [np.zeros((*extent.batch, number), dtype=np.uint8) for number in _numbers(extent)]
+        return np.empty(extent.batch, dtype=np.uint8), items
 
     def _allocate(
         self, outputs: Sequence[Output], extent: Extent, out: list[Array] | None
@@ -255,9 +320,9 @@ class CompiledFunction(Function):
         return [_spread(array, rank, extent) for array, rank in self._ranked(arrays)]
 
 
-def _lead(output: Output, extent: Extent) -> tuple[int, ...]:
-    """The axes in front of an output's own."""
-    return (*extent.batch, *(_numbers(extent) if output.item else ()))
+def _is_stored(output: Output) -> bool:
+    """True when calls for non-zeros store an output: values, and Jacobians that have some."""
+    return not output.jacobian or bool(output.places)
 
 
 def _numbers(extent: Extent) -> tuple[int, ...]:

@@ -13,7 +13,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import prod
 
 from symnav import ir
 from symnav.emit.c import comments
@@ -23,9 +22,7 @@ from symnav.emit.c.interface import EPOCHS, Interface
 from symnav.emit.c.kernel import OUTPUT_POINTER, Kernel
 from symnav.emit.c.pieces import Field, Parameter, Routine, Struct, call, head
 from symnav.emit.c.store import Store, Use, is_jacobian, stores_of
-
-_SCRATCH = 16384  # bytes a block of epochs may take on the stack
-_LANES = (32, 16)
+from symnav.emit.lanes import block_size
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,14 +35,6 @@ class Blocks:
     def macro(self) -> str:
         """Macro that holds the epochs side by side in one block."""
         return f"{self.kernel.symbol.upper()}_LANES"
-
-    @property
-    def lanes(self) -> int:
-        """Epochs side by side in one block."""
-        elements = sum(argument.size for argument in self.kernel.function.arguments)
-        elements += sum(self._size(output) for output in self._outputs)
-        width = 8 * (elements + 2)
-        return next((lanes for lanes in _LANES if lanes * width <= _SCRATCH), 8)
 
     def entry_points(self) -> list[EntryPoint]:
         """Public symbols in the order of the header."""
@@ -139,11 +128,6 @@ class Blocks:
         return [argument.name for argument in self.kernel.function.arguments]
 
     @staticmethod
-    def _size(output: ir.Output) -> int:
-        """Elements of an epoch in a block."""
-        return len(output.entries) if is_jacobian(output) else prod(output.shape)
-
-    @staticmethod
     def _name(output: ir.Output) -> str:
         return f"{output.name}_nz" if is_jacobian(output) else output.name
 
@@ -175,7 +159,7 @@ class Blocks:
             if self.kernel.inputs.runs(argument)
         ]
         fields += [
-            Field(real, self._name(output), f"{self._size(output)} * {self.macro}")
+            Field(real, self._name(output), f"{block_size(output)} * {self.macro}")
             for output in self._outputs
         ]
         return Struct(f"{self.kernel.local}_block_t", "A block of epochs.", tuple(fields))
@@ -257,7 +241,7 @@ class Blocks:
     def _put(self, store: Store) -> list[str]:
         """Statement that stores one lane of one output."""
         place = f"&{self._name(store.output)}[lane]"
-        stride = [self.macro] if self._size(store.output) > 1 else []
+        stride = [self.macro] if block_size(store.output) > 1 else []
         if is_jacobian(store.output) or store.complete:
             stride = [self.macro] if store.count > 1 else []
             text = call(store.put, [f"&{OUTPUT_POINTER}", *stride, place])
@@ -274,7 +258,7 @@ class Blocks:
 
     def _blocks(self, entry: EntryPoint) -> dict[str, object]:
         sizes = {argument.name: argument.size for argument in self.kernel.function.arguments}
-        sizes |= {self._name(output): self._size(output) for output in self._outputs}
+        sizes |= {self._name(output): block_size(output) for output in self._outputs}
         places = [
             f"&{name}[first]" if size == 1 else f"&{name}[{size} * first]"
             for name, size in sizes.items()
@@ -346,7 +330,7 @@ class Blocks:
         }
 
     def _row_store(self, store: Store) -> list[str]:
-        name, size = self._name(store.output), self._size(store.output)
+        name, size = self._name(store.output), block_size(store.output)
         place = f"&{name}[first]" if size == 1 else f"&{name}[{size} * first]"
         given = ["count", "&status[first]", f"block.{name}", str(size), self.macro, place]
         return self._statement(call("lanes_to_rows", given), depth=3)

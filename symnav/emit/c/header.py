@@ -19,6 +19,7 @@ from symnav.emit.c.interface import meaning_text
 from symnav.emit.c.kernel import Kernel
 from symnav.emit.c.store import is_jacobian
 from symnav.emit.c.target import Target
+from symnav.emit.lanes import lanes_of
 from symnav.emit.templates import render
 
 _PER_LINE = 16
@@ -54,8 +55,8 @@ class Section:
         if function.maximum is not None:
             listed.append(Enumerator(f"{stem}_MAX_ITEMS", function.maximum, "most items in a call"))
         else:
-            blocks = Blocks(self.kernel)
-            listed.append(Enumerator(blocks.macro, blocks.lanes, "epochs in one block"))
+            macro = Blocks(self.kernel).macro
+            listed.append(Enumerator(macro, lanes_of(function), "epochs in one block"))
         for output in function.outputs:
             if is_jacobian(output) and output.entries:
                 count = len(output.entries)

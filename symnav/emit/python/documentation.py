@@ -124,6 +124,8 @@ def _notes(function: ir.Function) -> Iterator[str]:
         forms.append(f"``{name}.jacobian`` ({_listed(jacobians(function))})")
         forms.append(f"``{name}.nonzeros`` (what is not zero by structure)")
     forms.append(f"``{name}.bind`` (a call without arguments over the same arrays)")
+    if function.maximum is None:
+        forms.append(f"``{name}.blocks`` (epochs side by side, see ``{name}.to_lanes``)")
     if function.single_difference:
         forms.append(f"``{name}.single_difference`` (less the item ``reference``)")
     yield from _fill(f"Other forms, with the same arguments: {', '.join(forms)}.", "")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from symnav import errors, ir
+from symnav.emit.lanes import lanes_of
 from symnav.emit.python.documentation import documentation
 from symnav.emit.python.names import result_names
 from symnav.emit.python.shapes import (
@@ -112,6 +113,7 @@ def _signature(function: ir.Function, result: str, shared: ir.Argument | None) -
         ("guarded", function.guarded, True),
         ("column_major", function.column_major, False),
         ("single_difference", function.single_difference, False),
+        ("lanes", lanes_of(function) if function.maximum is None else 0, 0),
     ):
         if value != default:
             yield f"    {name}={value},"

@@ -19,6 +19,7 @@ _STATIC = (
     "_explain.py",
     "_extension.py",
     "_foreign.py",
+    "_lanes.py",
     "_places.py",
     "_runtime.py",
     "_state.py",
@@ -37,12 +38,12 @@ def emit(module: ir.Module, single: ir.Module | None = None) -> dict[str, str]:
     """
     files = {name: render(f"package/{name}") for name in _STATIC}
     files["native.py"] = native(module)
-    files["native.pyi"] = backend_stub(module.functions)
+    files["native.pyi"] = backend_stub(module.functions, threaded=True)
     files["casadi.py"] = casadi(module)
     files["casadi.pyi"] = backend_stub(entries(module))
     if single is not None:
         files["native_f32.py"] = native(single)
-        files["native_f32.pyi"] = stub(single, ())
+        files["native_f32.pyi"] = stub(single, (), threaded=True)
     backends = ["casadi", "native", *(["native_f32"] if single is not None else []), "numpy"]
     files["__init__.py"] = _package(module, backends)
     files["__init__.pyi"] = stub(module, backends)

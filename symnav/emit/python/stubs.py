@@ -14,13 +14,14 @@ from symnav.emit.templates import render
 _ARRAY = "_Array"
 
 
-def stub(module: ir.Module, backends: Sequence[str]) -> str:
+def stub(module: ir.Module, backends: Sequence[str], *, threaded: bool = False) -> str:
     """Render the stub that defines every type, for one floating-point type.
 
     Args:
         module: the functions.
         backends: names of the back ends that stand beside it in the package, for the package's
             own stub; empty for the stub of a back end.
+        threaded: True for a back end whose batches can share threads.
     """
     results = result_names(module.functions)
     real = "np.float64" if module.scalar is ir.Scalar.DOUBLE else "np.float32"
@@ -41,14 +42,21 @@ def stub(module: ir.Module, backends: Sequence[str]) -> str:
             for function in module.functions
         ],
         state=list(_state(module)) if backends and module.state.blocks else [],
+        single=any(function.maximum is None for function in module.functions),
+        threaded=threaded,
     )
 
 
-def backend_stub(functions: Sequence[ir.Function]) -> str:
-    """Render the stub of a back end whose functions are typed like those of the package."""
+def backend_stub(functions: Sequence[ir.Function], *, threaded: bool = False) -> str:
+    """Render the stub of a back end whose functions are typed like those of the package.
+
+    Args:
+        functions: that it has.
+        threaded: True when its batches can share threads.
+    """
     listed = [{"name": function.name, "form": form_name(function)} for function in functions]
     forms = sorted(form_name(function) for function in functions)
-    return render("package/backend.pyi.j2", functions=listed, forms=forms)
+    return render("package/backend.pyi.j2", functions=listed, forms=forms, threaded=threaded)
 
 
 def _fields(function: ir.Function) -> Iterator[str]:
@@ -73,6 +81,8 @@ def _form(function: ir.Function, result: str) -> Iterator[str]:
     if jacobians(function):
         yield from _method(function, "jacobian", some, _arrays(jacobians(function)))
         yield from _method(function, "nonzeros", some, _arrays(jacobians(function)))
+    if function.maximum is None:
+        yield from _blocks(function)
     if function.single_difference:
         yield from _method(function, "single_difference", target, result, "reference: int")
         yield f"    def difference_matrix(self, count: int, reference: int) -> {_ARRAY}: ..."
@@ -80,6 +90,16 @@ def _form(function: ir.Function, result: str) -> Iterator[str]:
             "    def difference_covariance(self, sigma: ArrayLike, reference: int) "
             f"-> {_ARRAY}: ..."
         )
+
+
+def _blocks(function: ir.Function) -> Iterator[str]:
+    """Calls for epochs side by side."""
+    yield "    lanes: int"
+    yield f"    def to_lanes(self, rows: ArrayLike) -> {_ARRAY}: ..."
+    yield f"    def from_lanes(self, blocked: ArrayLike, epochs: int | None = None) -> {_ARRAY}: ..."
+    target, extra = f"Blocks | Mapping[str, {_ARRAY}] | None", "epochs: int | None = None"
+    yield from _method(function, "blocks", target, "Blocks", extra)
+    yield from _method(function, "bind_blocks", target, "Callable[[], Blocks]", extra)
 
 
 def _method(function: ir.Function, name: str, target: str, result: str, *extra: str) -> list[str]:
