@@ -122,8 +122,8 @@ STATE_ATTRIBUTES = _words(
 #: Modules, classes, files and enumerations of a generated package.
 FUNCTION_NAMES = _words(
     """
-    State StateBlocks BACKEND GuardError Status numpy native native_f32 casadi c retract local types
-    check state status real version manifest status_t real_t
+    State StateBlocks Blocks BACKEND GuardError Status set_threads numpy native native_f32 casadi c
+    retract local types check state status real version manifest status_t real_t
     """
 )
 
@@ -137,8 +137,8 @@ _SYSTEM_PREFIXES = ("have_", "py_", "pyctype_", "pymacconfig_")
 
 #: Suffixes of the entry points made from one function, the last ones by CasADi's generator.
 FUNCTION_SUFFIXES = (
-    "value", "jacobian", "nz", "batch", "sd", "difference_matrix", "difference_covariance",
-    "kernel", "jacobian_rows", "jacobian_columns",
+    "value", "jacobian", "nz", "batch", "batch_nz", "blocks", "lanes", "sd", "difference_matrix",
+    "difference_covariance", "kernel", "jacobian_rows", "jacobian_columns",
     "alloc_mem", "init_mem", "free_mem", "checkout", "release", "incref", "decref", "n_in",
     "n_out", "name_in", "name_out", "default_in", "sparsity_in", "sparsity_out", "work",
     "work_bytes",

@@ -49,6 +49,31 @@ class CompiledFunction(Function):
         if signature.single_difference:
             self._differences = library.entry(f"{signature.name}_sd")
 
+    def given(self, out: Any, arrays: Sequence[Array], items: int | None = None) -> list[Array]:
+        """The arrays given as ``out`` for one epoch, where they can be written as they are.
+
+        Arrays that own their memory cannot overlap; others are looked at.
+
+        Raises:
+            ValueError: when they cannot; the general way says why.
+        """
+        wanted = self.signature.outputs
+        listed = [out] if type(out) is np.ndarray else list(out)[: len(wanted)]
+        if len(listed) != len(wanted) or type(out) is dict:
+            raise ValueError("out")
+        for place, (array, output) in enumerate(zip(listed, wanted, strict=True)):
+            shape = output.shape if items is None or not output.item else (items, *output.shape)
+            flags = array.flags
+            fits = type(array) is np.ndarray and array.dtype == self.real and array.shape == shape
+            if not fits or not flags.carray:
+                raise ValueError("out")
+            own = flags.owndata
+            for other in (*arrays, *listed[:place]):
+                apart = own and other.base is None and other is not array
+                if not apart and np.may_share_memory(array, other):
+                    raise ValueError("out")
+        return listed
+
     def prepare(self, values: Sequence[Any]) -> list[Array]:
         """Real arrays of the compiled type; complex numbers are refused."""
         pairs = zip(self.signature.arguments, values, strict=True)

@@ -14,6 +14,7 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from importlib.machinery import EXTENSION_SUFFIXES, ExtensionFileLoader
 from importlib.util import module_from_spec, spec_from_file_location
+from itertools import pairwise
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -138,7 +139,7 @@ class Library:
         """
         count = min(self._threads, max(parts * epochs // _LEAST, 1))
         ends = [parts * share // count for share in range(count + 1)]
-        return [(first, last - first) for first, last in zip(ends, ends[1:], strict=False)]
+        return [(first, last - first) for first, last in pairwise(ends)]
 
     def run(self, calls: Sequence[Callable[[], Any]]) -> None:
         """Runs calls side by side; the C they call releases the interpreter."""

@@ -88,12 +88,17 @@ def _straight(function: ir.Function, result: str, kind: str) -> Iterator[str]:
     yield from lay_out(head, before="def ", after=" -> Any:")
     yield "    try:"
     yield "        if ("
-    yield "            out is None"
-    yield "            and not _other"
+    yield "            not _other"
     yield from (f"            and {test}" for test in _tests(function))
     yield "        ):"
+    yield "            if out is None:"
     for output in function.outputs:
-        yield f"            {output.name} = _empty({_shape(function, output)}{kind})"
+        yield f"                {output.name} = _empty({_shape(function, output)}{kind})"
+    yield "            else:"
+    given = call(f"_{function.name}_function.given", "out", *_given(function))
+    targets = ", ".join(output.name for output in function.outputs)
+    comma = "," if len(function.outputs) == 1 else ""
+    yield from lay_out(given, before=f"{targets}{comma} = ", depth=4)
     if function.maximum is not None:
         yield "            item_status = _empty(n, _byte)"
     entry = call(f"_{function.name}_entry", *_pointers(function))
@@ -120,13 +125,28 @@ def _tests(function: ir.Function) -> Iterator[str]:
             continue
         kind = "_integer" if argument.integer else "_real"
         yield f"{argument.name}.dtype is {kind}"
-        yield f"{argument.name}.shape == {_expected(function, argument)}"
+        expected = _expected(function, argument)
+        if len(expected) == 1:  # the tuple of a shape costs twice as much
+            yield f"{argument.name}.ndim == 1"
+            first = items and argument is items[0]
+            yield from () if first else [f"len({argument.name}) == {expected[0]}"]
+        else:
+            yield f"{argument.name}.shape == {tuple_of(expected)}"
 
 
-def _expected(function: ir.Function, argument: ir.Argument) -> str:
+def _expected(function: ir.Function, argument: ir.Argument) -> list[str]:
     axes = ["n"] if argument.item else []
-    axes += [] if is_scalar(function, argument) else [str(argument.size)]
-    return str(tuple_of(axes))
+    return axes + ([] if is_scalar(function, argument) else [str(argument.size)])
+
+
+def _given(function: ir.Function) -> list[str]:
+    """The arrays of a call, which those it writes to must not overlap, and the number of items."""
+    arrays = [
+        argument.name
+        for argument in function.arguments
+        if argument.item or not is_scalar(function, argument)
+    ]
+    return [str(tuple_of(arrays)), *(["n"] if function.maximum is not None else [])]
 
 
 def _shape(function: ir.Function, output: ir.Output) -> str:

@@ -96,8 +96,8 @@ def _blocks(function: ir.Function) -> Iterator[str]:
     """Calls for epochs side by side."""
     yield "    lanes: int"
     yield f"    def to_lanes(self, rows: ArrayLike) -> {_ARRAY}: ..."
-    yield f"    def from_lanes(self, blocked: ArrayLike, epochs: int | None = None) -> {_ARRAY}: ..."
     target, extra = f"Blocks | Mapping[str, {_ARRAY}] | None", "epochs: int | None = None"
+    yield f"    def from_lanes(self, blocked: ArrayLike, {extra}) -> {_ARRAY}: ..."
     yield from _method(function, "blocks", target, "Blocks", extra)
     yield from _method(function, "bind_blocks", target, "Callable[[], Blocks]", extra)
 
