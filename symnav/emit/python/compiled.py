@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from symnav import ir
 from symnav.emit.python.names import result_names
 from symnav.emit.python.shapes import entries, is_scalar, signature_name
-from symnav.emit.python.text import call, lay_out, quoted, tuple_of
+from symnav.emit.python.text import WIDTH, call, lay_out, quoted, tuple_of
 from symnav.emit.templates import render
 
 _REALS = {ir.Scalar.DOUBLE: "float64", ir.Scalar.FLOAT: "float32"}
@@ -95,10 +95,7 @@ def _straight(function: ir.Function, result: str, kind: str) -> Iterator[str]:
     for output in function.outputs:
         yield f"                {output.name} = _empty({_shape(function, output)}{kind})"
     yield "            else:"
-    given = call(f"_{function.name}_function.given", "out", *_given(function))
-    targets = ", ".join(output.name for output in function.outputs)
-    comma = "," if len(function.outputs) == 1 else ""
-    yield from lay_out(given, before=f"{targets}{comma} = ", depth=4)
+    yield from _writing(function)
     if function.maximum is not None:
         yield "            item_status = _empty(n, _byte)"
     entry = call(f"_{function.name}_entry", *_pointers(function))
@@ -114,6 +111,65 @@ def _straight(function: ir.Function, result: str, kind: str) -> Iterator[str]:
     yield from lay_out(rest, before="return ", depth=1)
 
 
+def _writing(function: ir.Function) -> Iterator[str]:
+    """Arrays that were given to write to: what is simple is tested here, the rest by ``given``."""
+    mapped = function.maximum is not None
+    targets = "".join(f"{output.name}, " for output in function.outputs)
+    yield f"                {targets}*rest = out"
+    written = tuple_of([output.name for output in function.outputs])
+    yield f"                written = {written}"
+    yield "                if not ("
+    yield f"                    len(rest) in {(0, 2) if mapped else (0, 1)}"
+    for test in _writable(function):
+        line = f"                    and {test}"
+        yield from (
+            [line] if len(line) <= WIDTH else line.replace(" or ", f"\n{' ' * 24}or ").split("\n")
+        )
+    yield "                ):"
+    given = call(f"_{function.name}_function.given", "out", *_given(function))
+    comma = "," if len(function.outputs) == 1 else ""
+    names = ", ".join(output.name for output in function.outputs)
+    yield from lay_out(given, before=f"{names}{comma} = ", depth=5)
+
+
+def _writable(function: ir.Function) -> Iterator[str]:
+    """Conditions under which the C can write to arrays: those that own their memory overlap none.
+
+    An array can overlap one that owns its memory only by being it, or a view of it.
+    """
+    arrays = {
+        argument.name: _expected(function, argument)
+        for argument in function.arguments
+        if argument.item or not is_scalar(function, argument)
+    }
+    for name in arrays:
+        yield f"({name}.base is None or _apart({name}, written))"
+    for output in function.outputs:
+        name = output.name
+        axes = ["n"] if output.item and function.maximum is not None else []
+        axes += [str(length) for length in output.shape]
+        yield f"{name}.dtype is _real"
+        yield from _shaped(name, axes)
+        yield f"(flags := {name}.flags).carray"
+        yield "flags.owndata"
+        yield from (
+            f"{name} is not {other}"
+            for other, shape in arrays.items()
+            if len(shape) == len(axes)
+            and all(a == b or "n" in (a, b) for a, b in zip(shape, axes, strict=True))
+        )
+        arrays[name] = axes
+
+
+def _shaped(name: str, axes: list[str]) -> Iterator[str]:
+    """Conditions on a shape; one axis is looked at alone, since a tuple costs twice as much."""
+    if len(axes) == 1:
+        yield f"{name}.ndim == 1"
+        yield f"len({name}) == {axes[0]}"
+    else:
+        yield f"{name}.shape == {tuple_of(axes)}"
+
+
 def _tests(function: ir.Function) -> Iterator[str]:
     """Conditions under which the C can read every argument where it lies."""
     items = [argument for argument in function.arguments if argument.item]
@@ -125,13 +181,7 @@ def _tests(function: ir.Function) -> Iterator[str]:
             continue
         kind = "_integer" if argument.integer else "_real"
         yield f"{argument.name}.dtype is {kind}"
-        expected = _expected(function, argument)
-        if len(expected) == 1:  # the tuple of a shape costs twice as much
-            yield f"{argument.name}.ndim == 1"
-            first = items and argument is items[0]
-            yield from () if first else [f"len({argument.name}) == {expected[0]}"]
-        else:
-            yield f"{argument.name}.shape == {tuple_of(expected)}"
+        yield from _shaped(argument.name, _expected(function, argument))
 
 
 def _expected(function: ir.Function, argument: ir.Argument) -> list[str]:

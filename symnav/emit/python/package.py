@@ -14,6 +14,7 @@ from symnav.emit.templates import render
 
 _STATIC = (
     "_arrays.py",
+    "_batches.py",
     "_calls.py",
     "_compiled.py",
     "_explain.py",
