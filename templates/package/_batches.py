@@ -273,8 +273,9 @@ class BatchFunction(Function):
         inputs = [(self._pointer(array), step) for array, step in read]
         written = [(self._pointer(array), array.size // max(epochs, 1)) for array in memory]
         calls: list[Callable[[], Any]] = []
+        passed: list[Any]
         for first, count in self._library.shares(epochs):
-            passed: list[Any] = []
+            passed = []
             for pointer, step in inputs:
                 passed += [pointer + first * step if first else pointer, step]
                 passed += items if len(passed) == 2 else ()

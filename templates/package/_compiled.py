@@ -163,4 +163,7 @@ def apart(view: Array, written: Sequence[Array]) -> bool:
     NumPy makes the owner the base of every view; what has another base is not looked into.
     """
     base = view.base
-    return base.base is None and all(base is not target for target in written)
+    for target in written:
+        if base is target:
+            return False
+    return base.base is None

@@ -103,6 +103,8 @@ class Library:
         self.reals = self.ffi.typeof("double[]" if real == "float64" else "float[]")
         self.integers = self.ffi.typeof("int32_t[]")
         self.bytes = self.ffi.typeof("uint8_t[]")
+        self._kinds = {"f": self.reals, "i": self.integers, "u": self.bytes}
+        self._buffer = self.ffi.from_buffer
         self._pool: ThreadPoolExecutor | None = None
         self._threads = 1
 
@@ -113,8 +115,7 @@ class Library:
 
     def pointer(self, array: Array) -> Any:
         """The memory of a contiguous array, which stays alive with the pointer."""
-        kinds = {"i": self.integers, "u": self.bytes}
-        return self.ffi.from_buffer(kinds.get(array.dtype.kind, self.reals), array)
+        return self._buffer(self._kinds[array.dtype.kind], array)
 
     def set_threads(self, count: int) -> None:
         """Sets how many threads share the epochs of a batch; 1, the default, starts none.
@@ -137,6 +138,8 @@ class Library:
             parts: what is shared out.
             epochs: how many epochs a part has.
         """
+        if self._threads == 1:
+            return [(0, parts)]
         count = min(self._threads, max(parts * epochs // _LEAST, 1))
         ends = [parts * share // count for share in range(count + 1)]
         return [(first, last - first) for first, last in pairwise(ends)]

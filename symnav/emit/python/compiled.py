@@ -113,23 +113,21 @@ def _straight(function: ir.Function, result: str, kind: str) -> Iterator[str]:
 
 def _writing(function: ir.Function) -> Iterator[str]:
     """Arrays that were given to write to: what is simple is tested here, the rest by ``given``."""
-    mapped = function.maximum is not None
-    targets = "".join(f"{output.name}, " for output in function.outputs)
-    yield f"                {targets}*rest = out"
-    written = tuple_of([output.name for output in function.outputs])
-    yield f"                written = {written}"
+    names = tuple_of([output.name for output in function.outputs])
+    count = len(function.outputs)
+    yield f"                written = out[:{count}]"
+    yield from lay_out(names, after=" = written", depth=4)
     yield "                if not ("
-    yield f"                    len(rest) in {(0, 2) if mapped else (0, 1)}"
+    fields = count + (1 if function.maximum is None else 2)
+    yield f"                    len(out) in ({count}, {fields})"
     for test in _writable(function):
         line = f"                    and {test}"
-        yield from (
-            [line] if len(line) <= WIDTH else line.replace(" or ", f"\n{' ' * 24}or ").split("\n")
-        )
+        long = line.replace(" or ", f"\n{' ' * 24}or ")
+        yield from (long if len(line) > WIDTH else line).split("\n")
     yield "                ):"
     given = call(f"_{function.name}_function.given", "out", *_given(function))
-    comma = "," if len(function.outputs) == 1 else ""
-    names = ", ".join(output.name for output in function.outputs)
-    yield from lay_out(given, before=f"{names}{comma} = ", depth=5)
+    yield from lay_out(given, before="written = ", depth=5)
+    yield from lay_out(names, after=" = written", depth=5)
 
 
 def _writable(function: ir.Function) -> Iterator[str]:
