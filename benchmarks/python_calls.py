@@ -134,6 +134,10 @@ def many_epochs(
     yield "native", lambda: function(x, out=out, **given)
     bound = function.bind(x, out=out, **given)
     yield "native_bound", bound
+    yield "native_nz", lambda: function.nonzeros(x, **given)
+    if not problem.items:
+        blocked = {name: function.to_lanes(array) for name, array in given.items()}
+        yield "native_blocks", function.bind_blocks(function.to_lanes(x), **blocked)
     numpy = getattr(package.numpy, FUNCTION)
     yield "numpy", lambda: numpy(x, **given)
     if problem.items > 8:

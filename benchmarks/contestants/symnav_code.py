@@ -9,6 +9,7 @@ from benchmarks.contestants.contestant import Contestant
 from benchmarks.problems import Problem
 from symnav import pipeline
 from symnav.bench.adapters import EPOCHS, Entries
+from symnav.emit.lanes import lanes_of
 
 FUNCTION = "model"
 
@@ -33,6 +34,17 @@ def contestants(problem: Problem, folder: Path) -> Iterator[Contestant]:
             candidate=entries.batch(f"symnav_batch{mark}"),
             order=_dense(problem, EPOCHS),
         )
+        yield Contestant(
+            problem=problem,
+            candidate=entries.batch(f"symnav_batch_nz{mark}", nonzeros=True),
+            order=_rows(problem),
+        )
+        if not problem.items:
+            yield Contestant(
+                problem=problem,
+                candidate=entries.blocks(f"symnav_blocks{mark}"),
+                order=_blocks(problem, lanes_of(entries.function)),
+            )
 
 
 def generated(problem: Problem, folder: Path, *, guarded: bool) -> Entries:
@@ -64,6 +76,34 @@ def _nonzeros(problem: Problem, limit: int) -> tuple[int, ...]:
     columns = range(len(problem.nonzeros[0]))
     places = (values + k * limit + i for i in range(problem.items) for k in columns)
     return (*range(values), *places)
+
+
+def _rows(problem: Problem) -> tuple[int, ...]:
+    """Values of all epochs, then their non-zeros; those of satellites in columns."""
+    values, count = problem.rows, len(problem.pattern)
+    per_item = count // problem.items if problem.items else 0
+    order: list[int] = []
+    for epoch in range(EPOCHS):
+        order += range(epoch * values, (epoch + 1) * values)
+        start = EPOCHS * values + epoch * count
+        if problem.items:
+            cells = ((k, i) for i in range(problem.items) for k in range(per_item))
+            order += [start + k * problem.items + i for k, i in cells]
+        else:
+            order += range(start, start + count)
+    return tuple(order)
+
+
+def _blocks(problem: Problem, lanes: int) -> tuple[int, ...]:
+    """Values, then non-zeros, each with the epochs of a block side by side."""
+    order: list[int] = []
+    for epoch in range(EPOCHS):
+        block, lane = divmod(epoch, lanes)
+        start = 0
+        for size in (problem.rows, len(problem.pattern)):
+            order += [start + (block * size + k) * lanes + lane for k in range(size)]
+            start += EPOCHS * size
+    return tuple(order)
 
 
 def _dense(problem: Problem, epochs: int) -> tuple[int, ...]:

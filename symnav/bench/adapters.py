@@ -13,6 +13,7 @@ from pathlib import Path
 
 from symnav import ir
 from symnav.bench.candidate import Candidate, adapter
+from symnav.emit.lanes import block_size, lanes_of
 
 EPOCHS = 64
 """Epochs in one call of the batch form."""
@@ -79,8 +80,8 @@ class Entries:
                 at += len(output.entries) * (self._limit if output.item else 1)
         return self._candidate(name, "_nz", self._one_epoch(places), at)
 
-    def batch(self, name: str) -> Candidate:
-        """Many epochs in one call."""
+    def batch(self, name: str, *, nonzeros: bool = False) -> Candidate:
+        """Many epochs in one call, from rows to rows: Jacobians in full, or their non-zeros."""
         arguments = [str(EPOCHS)]
         for argument in self.function.arguments:
             arguments += [self._place(argument), str(self.record)]
@@ -88,14 +89,45 @@ class Entries:
                 arguments.append(str(self.items))
         at = 0
         for output in self.function.outputs:
-            arguments.append(f"out + {at}")
-            at += EPOCHS * self._size(output)
+            size = self._sparse_size(output) if nonzeros else self._size(output)
+            if size:
+                arguments.append(f"out + {at}")
+                at += EPOCHS * size
         arguments += ["status", *(["item_status"] if self._mapped else [])]
         room = [f"static unsigned char status[{EPOCHS}];"]
         room += (
             [f"static unsigned char item_status[{EPOCHS * self.items}];"] if self._mapped else []
         )
-        return self._candidate(name, "_batch", (room, arguments), at, EPOCHS)
+        suffix = "_batch_nz" if nonzeros else "_batch"
+        return self._candidate(name, suffix, (room, arguments), at, EPOCHS)
+
+    def blocks(self, name: str) -> Candidate:
+        """Many epochs side by side in blocks; laid out once, outside of what is timed."""
+        arguments, room = [str(EPOCHS)], [f"static unsigned char status[{EPOCHS}];"]
+        filled: list[str] = []
+        lanes = lanes_of(self.function)
+        for argument in self.function.arguments:
+            kind, size = ("int32_t" if argument.integer else "double"), argument.size
+            place = f"(e / {lanes} * {size} + k) * {lanes} + e % {lanes}"
+            room.append(f"static {kind} lanes_{argument.name}[{EPOCHS * size}];")
+            filled += [
+                f"for (int e = 0; e < {EPOCHS}; ++e) {{",
+                f"    for (int k = 0; k < {size}; ++k) {{",
+                f"        lanes_{argument.name}[{place}]",
+                f"            = ({kind})in[e * {self.record} + {self.offsets[argument.name]} + k];",
+                "    }",
+                "}",
+            ]
+            arguments.append(f"lanes_{argument.name}")
+        at = 0
+        for output in self.function.outputs:
+            if block_size(output):
+                arguments.append(f"out + {at}")
+                at += EPOCHS * block_size(output)
+        room.append("static const double *seen;")
+        once = ["if (seen != in) {", *(f"    {line}" for line in filled), "    seen = in;", "}"]
+        call = (room, [*arguments, "status"])
+        return self._candidate(name, "_blocks", call, at, EPOCHS, once=once)
 
     @property
     def _mapped(self) -> bool:
@@ -107,6 +139,10 @@ class Entries:
 
     def _size(self, output: ir.Output) -> int:
         return prod(output.shape) * (self.count if output.item else 1)
+
+    def _sparse_size(self, output: ir.Output) -> int:
+        """Elements of an output where Jacobians are their non-zeros."""
+        return block_size(output) * (self.count if output.item else 1)
 
     def _place(self, argument: ir.Argument) -> str:
         return argument.name if argument.integer else f"in + {self.offsets[argument.name]}"
@@ -126,11 +162,13 @@ class Entries:
         call: tuple[Sequence[str], Sequence[str]],
         size: int,
         epochs: int = 1,
+        once: Sequence[str] = (),
     ) -> Candidate:
         room, arguments = call
         root = f"{self.prefix}_{self.function.name}"
         symbol = f"bench{self.label}_{root}{suffix or '_dense'}"
-        body = [*room, *self._integers(epochs), f"(void){root}{suffix}({', '.join(arguments)});"]
+        integers = [] if once else self._integers(epochs)
+        body = [*room, *integers, *once, f"(void){root}{suffix}({', '.join(arguments)});"]
         source = f'#include "{root}.c"\n\n{adapter(symbol, body)}'
         include = (self.tree / "include", self.tree / "src")
         return Candidate(
