@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import casadi as casadi
 from . import native as native
 from . import numpy as numpy
+from ._lanes import Blocks as Blocks
 from ._runtime import GuardError as GuardError
 from ._runtime import Status as Status
 
@@ -68,7 +69,8 @@ class _Retract(Protocol):
         Notes
         -----
         Other forms, with the same arguments: ``retract.value`` (value), ``retract.bind`` (a call
-        without arguments over the same arrays).
+        without arguments over the same arrays), ``retract.blocks`` (epochs side by side, see
+        ``retract.to_lanes``).
         Source: the error conventions of the blocks.
         """
     def bind(
@@ -87,6 +89,27 @@ class _Retract(Protocol):
         d: ArrayLike,
         out: _Array | Sequence[_Array] | Mapping[str, _Array] | None = None,
     ) -> _Array: ...
+    lanes: int
+    def to_lanes(self, rows: ArrayLike) -> _Array: ...
+    def from_lanes(self, blocked: ArrayLike, epochs: int | None = None) -> _Array: ...
+    def blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        d: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Blocks: ...
+    def bind_blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        d: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Callable[[], Blocks]: ...
 
 retract: _Retract
 
@@ -144,7 +167,8 @@ class _Local(Protocol):
         Notes
         -----
         Other forms, with the same arguments: ``local.value`` (value), ``local.bind`` (a call
-        without arguments over the same arrays).
+        without arguments over the same arrays), ``local.blocks`` (epochs side by side, see
+        ``local.to_lanes``).
         Source: the error conventions of the blocks.
         """
     def bind(
@@ -163,6 +187,27 @@ class _Local(Protocol):
         y: ArrayLike,
         out: _Array | Sequence[_Array] | Mapping[str, _Array] | None = None,
     ) -> _Array: ...
+    lanes: int
+    def to_lanes(self, rows: ArrayLike) -> _Array: ...
+    def from_lanes(self, blocked: ArrayLike, epochs: int | None = None) -> _Array: ...
+    def blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        y: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Blocks: ...
+    def bind_blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        y: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Callable[[], Blocks]: ...
 
 local: _Local
 
@@ -225,7 +270,7 @@ class _Gps(Protocol):
         -----
         Other forms, with the same arguments: ``gps.value`` (value, residual), ``gps.jacobian``
         (jacobian), ``gps.nonzeros`` (what is not zero by structure), ``gps.bind`` (a call without
-        arguments over the same arrays).
+        arguments over the same arrays), ``gps.blocks`` (epochs side by side, see ``gps.to_lanes``).
         The lever arm points from the body origin to the antenna, resolved in the body frame.
         C and R are used in the direction their declared maps and the frames of the vectors need.
         Source: WarpTwin GPSMeasurements documentation; ekf_cal documentation, GPS filtering.
@@ -262,6 +307,27 @@ class _Gps(Protocol):
         measured: ArrayLike,
         out: _Array | Sequence[_Array] | Mapping[str, _Array] | None = None,
     ) -> _Array: ...
+    lanes: int
+    def to_lanes(self, rows: ArrayLike) -> _Array: ...
+    def from_lanes(self, blocked: ArrayLike, epochs: int | None = None) -> _Array: ...
+    def blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        measured: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Blocks: ...
+    def bind_blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        measured: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Callable[[], Blocks]: ...
 
 gps: _Gps
 
@@ -328,7 +394,8 @@ class _Gps_Known_Antenna(Protocol):
         -----
         Other forms, with the same arguments: ``gps_known_antenna.value`` (value, residual),
         ``gps_known_antenna.jacobian`` (jacobian), ``gps_known_antenna.nonzeros`` (what is not zero
-        by structure), ``gps_known_antenna.bind`` (a call without arguments over the same arrays).
+        by structure), ``gps_known_antenna.bind`` (a call without arguments over the same arrays),
+        ``gps_known_antenna.blocks`` (epochs side by side, see ``gps_known_antenna.to_lanes``).
         The lever arm points from the body origin to the antenna, resolved in the body frame.
         C and R are used in the direction their declared maps and the frames of the vectors need.
         Source: WarpTwin GPSMeasurements documentation; ekf_cal documentation, GPS filtering.
@@ -369,6 +436,29 @@ class _Gps_Known_Antenna(Protocol):
         measured: ArrayLike,
         out: _Array | Sequence[_Array] | Mapping[str, _Array] | None = None,
     ) -> _Array: ...
+    lanes: int
+    def to_lanes(self, rows: ArrayLike) -> _Array: ...
+    def from_lanes(self, blocked: ArrayLike, epochs: int | None = None) -> _Array: ...
+    def blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        lever_arm: ArrayLike,
+        measured: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Blocks: ...
+    def bind_blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        lever_arm: ArrayLike,
+        measured: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Callable[[], Blocks]: ...
 
 gps_known_antenna: _Gps_Known_Antenna
 
@@ -431,7 +521,8 @@ class _Local_Fix(Protocol):
         -----
         Other forms, with the same arguments: ``local_fix.value`` (value, value_covariance),
         ``local_fix.jacobian`` (jacobian_fix), ``local_fix.nonzeros`` (what is not zero by
-        structure), ``local_fix.bind`` (a call without arguments over the same arrays).
+        structure), ``local_fix.bind`` (a call without arguments over the same arrays),
+        ``local_fix.blocks`` (epochs side by side, see ``local_fix.to_lanes``).
         Latitude and longitude in radians on WGS-84; the Jacobian by the fix, when asked for, is by
         latitude, longitude and height: the map of their noise.
         Local-level axes are enu at the reference.
@@ -473,6 +564,29 @@ class _Local_Fix(Protocol):
         covariance: ArrayLike,
         out: _Array | Sequence[_Array] | Mapping[str, _Array] | None = None,
     ) -> _Array: ...
+    lanes: int
+    def to_lanes(self, rows: ArrayLike) -> _Array: ...
+    def from_lanes(self, blocked: ArrayLike, epochs: int | None = None) -> _Array: ...
+    def blocks(
+        self,
+        *,
+        heading: ArrayLike,
+        fix: ArrayLike,
+        reference: ArrayLike,
+        covariance: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Blocks: ...
+    def bind_blocks(
+        self,
+        *,
+        heading: ArrayLike,
+        fix: ArrayLike,
+        reference: ArrayLike,
+        covariance: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Callable[[], Blocks]: ...
 
 local_fix: _Local_Fix
 

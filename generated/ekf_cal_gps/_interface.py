@@ -144,7 +144,8 @@ RETRACT = Signature(
     Notes
     -----
     Other forms, with the same arguments: ``retract.value`` (value), ``retract.bind`` (a call
-    without arguments over the same arrays).
+    without arguments over the same arrays), ``retract.blocks`` (epochs side by side, see
+    ``retract.to_lanes``).
     Source: the error conventions of the blocks.
     """,
     RetractResult,
@@ -219,6 +220,7 @@ RETRACT = Signature(
         ),
     ),
     (Output("value", (22,), tuple(range(22))),),
+    lanes=16,
 )
 
 
@@ -265,7 +267,8 @@ LOCAL = Signature(
     Notes
     -----
     Other forms, with the same arguments: ``local.value`` (value), ``local.bind`` (a call
-    without arguments over the same arrays).
+    without arguments over the same arrays), ``local.blocks`` (epochs side by side, see
+    ``local.to_lanes``).
     Source: the error conventions of the blocks.
     """,
     LocalResult,
@@ -341,6 +344,7 @@ LOCAL = Signature(
         ),
     ),
     (Output("value", (21,), tuple(range(21))),),
+    lanes=16,
 )
 
 
@@ -388,7 +392,7 @@ GPS = Signature(
     -----
     Other forms, with the same arguments: ``gps.value`` (value, residual), ``gps.jacobian``
     (jacobian), ``gps.nonzeros`` (what is not zero by structure), ``gps.bind`` (a call without
-    arguments over the same arrays).
+    arguments over the same arrays), ``gps.blocks`` (epochs side by side, see ``gps.to_lanes``).
     The lever arm points from the body origin to the antenna, resolved in the body frame.
     C and R are used in the direction their declared maps and the frames of the vectors need.
     Source: WarpTwin GPSMeasurements documentation; ekf_cal documentation, GPS filtering.
@@ -482,6 +486,7 @@ GPS = Signature(
             (0, 9, 10, 11, 18, 19, 20, 22, 30, 31, 32, 39, 40, 41, 44, 51, 52, 53, 60, 61, 62),
         ),
     ),
+    lanes=32,
 )
 
 
@@ -532,7 +537,8 @@ GPS_KNOWN_ANTENNA = Signature(
     -----
     Other forms, with the same arguments: ``gps_known_antenna.value`` (value, residual),
     ``gps_known_antenna.jacobian`` (jacobian), ``gps_known_antenna.nonzeros`` (what is not zero
-    by structure), ``gps_known_antenna.bind`` (a call without arguments over the same arrays).
+    by structure), ``gps_known_antenna.bind`` (a call without arguments over the same arrays),
+    ``gps_known_antenna.blocks`` (epochs side by side, see ``gps_known_antenna.to_lanes``).
     The lever arm points from the body origin to the antenna, resolved in the body frame.
     C and R are used in the direction their declared maps and the frames of the vectors need.
     Source: WarpTwin GPSMeasurements documentation; ekf_cal documentation, GPS filtering.
@@ -639,6 +645,7 @@ GPS_KNOWN_ANTENNA = Signature(
         Output("residual", (3,), (0, 1, 2)),
         Output("jacobian", (3, 21), (0, 9, 10, 11, 22, 30, 31, 32, 44, 51, 52, 53)),
     ),
+    lanes=32,
 )
 
 
@@ -685,7 +692,8 @@ LOCAL_FIX = Signature(
     -----
     Other forms, with the same arguments: ``local_fix.value`` (value, value_covariance),
     ``local_fix.jacobian`` (jacobian_fix), ``local_fix.nonzeros`` (what is not zero by
-    structure), ``local_fix.bind`` (a call without arguments over the same arrays).
+    structure), ``local_fix.bind`` (a call without arguments over the same arrays),
+    ``local_fix.blocks`` (epochs side by side, see ``local_fix.to_lanes``).
     Latitude and longitude in radians on WGS-84; the Jacobian by the fix, when asked for, is by
     latitude, longitude and height: the map of their noise.
     Local-level axes are enu at the reference.
@@ -768,6 +776,7 @@ LOCAL_FIX = Signature(
         Output("jacobian_fix", (3, 3), tuple(range(9))),
         Output("value_covariance", (9,), tuple(range(9))),
     ),
+    lanes=32,
 )
 
 

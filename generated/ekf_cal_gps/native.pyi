@@ -11,3 +11,5 @@ local: _Local
 gps: _Gps
 gps_known_antenna: _Gps_Known_Antenna
 local_fix: _Local_Fix
+
+def set_threads(count: int) -> None: ...

@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import casadi as casadi
 from . import native as native
 from . import numpy as numpy
+from ._lanes import Blocks as Blocks
 from ._runtime import GuardError as GuardError
 from ._runtime import Status as Status
 
@@ -72,7 +73,8 @@ class _Retract(Protocol):
         Notes
         -----
         Other forms, with the same arguments: ``retract.value`` (value), ``retract.bind`` (a call
-        without arguments over the same arrays).
+        without arguments over the same arrays), ``retract.blocks`` (epochs side by side, see
+        ``retract.to_lanes``).
         Source: the error conventions of the blocks.
         """
     def bind(
@@ -91,6 +93,27 @@ class _Retract(Protocol):
         d: ArrayLike,
         out: _Array | Sequence[_Array] | Mapping[str, _Array] | None = None,
     ) -> _Array: ...
+    lanes: int
+    def to_lanes(self, rows: ArrayLike) -> _Array: ...
+    def from_lanes(self, blocked: ArrayLike, epochs: int | None = None) -> _Array: ...
+    def blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        d: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Blocks: ...
+    def bind_blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        d: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Callable[[], Blocks]: ...
 
 retract: _Retract
 
@@ -152,7 +175,8 @@ class _Local(Protocol):
         Notes
         -----
         Other forms, with the same arguments: ``local.value`` (value), ``local.bind`` (a call
-        without arguments over the same arrays).
+        without arguments over the same arrays), ``local.blocks`` (epochs side by side, see
+        ``local.to_lanes``).
         Source: the error conventions of the blocks.
         """
     def bind(
@@ -171,6 +195,27 @@ class _Local(Protocol):
         y: ArrayLike,
         out: _Array | Sequence[_Array] | Mapping[str, _Array] | None = None,
     ) -> _Array: ...
+    lanes: int
+    def to_lanes(self, rows: ArrayLike) -> _Array: ...
+    def from_lanes(self, blocked: ArrayLike, epochs: int | None = None) -> _Array: ...
+    def blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        y: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Blocks: ...
+    def bind_blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        y: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Callable[[], Blocks]: ...
 
 local: _Local
 
@@ -245,7 +290,8 @@ class _Gps_1(Protocol):
         -----
         Other forms, with the same arguments: ``gps_1.value`` (value, residual), ``gps_1.jacobian``
         (jacobian, jacobian_origin), ``gps_1.nonzeros`` (what is not zero by structure),
-        ``gps_1.bind`` (a call without arguments over the same arrays).
+        ``gps_1.bind`` (a call without arguments over the same arrays), ``gps_1.blocks`` (epochs
+        side by side, see ``gps_1.to_lanes``).
         The lever arm points from the body origin to the antenna, resolved in the body frame.
         C and R are used in the direction their declared maps and the frames of the vectors need.
         Source: WarpTwin GPSMeasurements documentation; ekf_cal documentation, GPS filtering.
@@ -286,6 +332,29 @@ class _Gps_1(Protocol):
         measured: ArrayLike,
         out: _Array | Sequence[_Array] | Mapping[str, _Array] | None = None,
     ) -> tuple[_Array, _Array]: ...
+    lanes: int
+    def to_lanes(self, rows: ArrayLike) -> _Array: ...
+    def from_lanes(self, blocked: ArrayLike, epochs: int | None = None) -> _Array: ...
+    def blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        origin: ArrayLike,
+        measured: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Blocks: ...
+    def bind_blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        origin: ArrayLike,
+        measured: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Callable[[], Blocks]: ...
 
 gps_1: _Gps_1
 
@@ -360,7 +429,8 @@ class _Gps_2(Protocol):
         -----
         Other forms, with the same arguments: ``gps_2.value`` (value, residual), ``gps_2.jacobian``
         (jacobian, jacobian_origin), ``gps_2.nonzeros`` (what is not zero by structure),
-        ``gps_2.bind`` (a call without arguments over the same arrays).
+        ``gps_2.bind`` (a call without arguments over the same arrays), ``gps_2.blocks`` (epochs
+        side by side, see ``gps_2.to_lanes``).
         The lever arm points from the body origin to the antenna, resolved in the body frame.
         C and R are used in the direction their declared maps and the frames of the vectors need.
         Source: WarpTwin GPSMeasurements documentation; ekf_cal documentation, GPS filtering.
@@ -401,6 +471,29 @@ class _Gps_2(Protocol):
         measured: ArrayLike,
         out: _Array | Sequence[_Array] | Mapping[str, _Array] | None = None,
     ) -> tuple[_Array, _Array]: ...
+    lanes: int
+    def to_lanes(self, rows: ArrayLike) -> _Array: ...
+    def from_lanes(self, blocked: ArrayLike, epochs: int | None = None) -> _Array: ...
+    def blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        origin: ArrayLike,
+        measured: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Blocks: ...
+    def bind_blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        origin: ArrayLike,
+        measured: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Callable[[], Blocks]: ...
 
 gps_2: _Gps_2
 

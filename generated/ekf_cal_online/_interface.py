@@ -152,7 +152,8 @@ RETRACT = Signature(
     Notes
     -----
     Other forms, with the same arguments: ``retract.value`` (value), ``retract.bind`` (a call
-    without arguments over the same arrays).
+    without arguments over the same arrays), ``retract.blocks`` (epochs side by side, see
+    ``retract.to_lanes``).
     Source: the error conventions of the blocks.
     """,
     RetractResult,
@@ -247,6 +248,7 @@ RETRACT = Signature(
         ),
     ),
     (Output("value", (26,), tuple(range(26))),),
+    lanes=16,
 )
 
 
@@ -297,7 +299,8 @@ LOCAL = Signature(
     Notes
     -----
     Other forms, with the same arguments: ``local.value`` (value), ``local.bind`` (a call
-    without arguments over the same arrays).
+    without arguments over the same arrays), ``local.blocks`` (epochs side by side, see
+    ``local.to_lanes``).
     Source: the error conventions of the blocks.
     """,
     LocalResult,
@@ -403,6 +406,7 @@ LOCAL = Signature(
         ),
     ),
     (Output("value", (25,), tuple(range(25))),),
+    lanes=16,
 )
 
 
@@ -458,7 +462,8 @@ GPS_1 = Signature(
     -----
     Other forms, with the same arguments: ``gps_1.value`` (value, residual), ``gps_1.jacobian``
     (jacobian, jacobian_origin), ``gps_1.nonzeros`` (what is not zero by structure),
-    ``gps_1.bind`` (a call without arguments over the same arrays).
+    ``gps_1.bind`` (a call without arguments over the same arrays), ``gps_1.blocks`` (epochs
+    side by side, see ``gps_1.to_lanes``).
     The lever arm points from the body origin to the antenna, resolved in the body frame.
     C and R are used in the direction their declared maps and the frames of the vectors need.
     Source: WarpTwin GPSMeasurements documentation; ekf_cal documentation, GPS filtering.
@@ -595,6 +600,7 @@ GPS_1 = Signature(
         ),
         Output("jacobian_origin", (3, 3), (0, 4, 8)),
     ),
+    lanes=16,
 )
 
 
@@ -650,7 +656,8 @@ GPS_2 = Signature(
     -----
     Other forms, with the same arguments: ``gps_2.value`` (value, residual), ``gps_2.jacobian``
     (jacobian, jacobian_origin), ``gps_2.nonzeros`` (what is not zero by structure),
-    ``gps_2.bind`` (a call without arguments over the same arrays).
+    ``gps_2.bind`` (a call without arguments over the same arrays), ``gps_2.blocks`` (epochs
+    side by side, see ``gps_2.to_lanes``).
     The lever arm points from the body origin to the antenna, resolved in the body frame.
     C and R are used in the direction their declared maps and the frames of the vectors need.
     Source: WarpTwin GPSMeasurements documentation; ekf_cal documentation, GPS filtering.
@@ -787,6 +794,7 @@ GPS_2 = Signature(
         ),
         Output("jacobian_origin", (3, 3), (0, 4, 8)),
     ),
+    lanes=16,
 )
 
 

@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import casadi as casadi
 from . import native as native
 from . import numpy as numpy
+from ._lanes import Blocks as Blocks
 from ._runtime import GuardError as GuardError
 from ._runtime import Status as Status
 
@@ -69,7 +70,8 @@ class _Retract(Protocol):
         Notes
         -----
         Other forms, with the same arguments: ``retract.value`` (value), ``retract.bind`` (a call
-        without arguments over the same arrays).
+        without arguments over the same arrays), ``retract.blocks`` (epochs side by side, see
+        ``retract.to_lanes``).
         Source: the error conventions of the blocks.
         """
     def bind(
@@ -88,6 +90,27 @@ class _Retract(Protocol):
         d: ArrayLike,
         out: _Array | Sequence[_Array] | Mapping[str, _Array] | None = None,
     ) -> _Array: ...
+    lanes: int
+    def to_lanes(self, rows: ArrayLike) -> _Array: ...
+    def from_lanes(self, blocked: ArrayLike, epochs: int | None = None) -> _Array: ...
+    def blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        d: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Blocks: ...
+    def bind_blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        d: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Callable[[], Blocks]: ...
 
 retract: _Retract
 
@@ -149,7 +172,8 @@ class _Local(Protocol):
         Notes
         -----
         Other forms, with the same arguments: ``local.value`` (value), ``local.bind`` (a call
-        without arguments over the same arrays).
+        without arguments over the same arrays), ``local.blocks`` (epochs side by side, see
+        ``local.to_lanes``).
         Source: the error conventions of the blocks.
         """
     def bind(
@@ -168,6 +192,27 @@ class _Local(Protocol):
         y: ArrayLike,
         out: _Array | Sequence[_Array] | Mapping[str, _Array] | None = None,
     ) -> _Array: ...
+    lanes: int
+    def to_lanes(self, rows: ArrayLike) -> _Array: ...
+    def from_lanes(self, blocked: ArrayLike, epochs: int | None = None) -> _Array: ...
+    def blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        y: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Blocks: ...
+    def bind_blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        y: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Callable[[], Blocks]: ...
 
 local: _Local
 

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
 import numpy as np
 
-from ._calls import Evaluation, Function
+from ._batches import BatchFunction, numbers, spread
+from ._calls import Evaluation
 from ._extension import Library
-from ._places import gather
 from ._runtime import (
     Array,
     Extent,
@@ -19,20 +18,16 @@ from ._runtime import (
     Part,
     Signature,
     Status,
-    as_numbers,
     output_shape,
     outputs_of,
 )
 
 
-class CompiledFunction(Function):
+class CompiledFunction(BatchFunction):
     """A function whose entry points for one epoch and for many are compiled C."""
 
     def __init__(self, library: Library, signature: Signature) -> None:
-        super().__init__(signature)
-        self.real = library.real
-        self._pointer = library.pointer
-        self._longest = signature.maximum or 0
+        super().__init__(library, signature)
         both = bool(signature.values and signature.jacobians)
         suffixes = {Part.ALL: "", Part.VALUE: "_value", Part.JACOBIAN: "_jacobian"}
         self._entries = {
@@ -41,14 +36,8 @@ class CompiledFunction(Function):
         }
         if any(output.places for output in signature.jacobians):
             self._entries[Part.NONZEROS] = library.entry(f"{signature.name}_nz")
-        self._batch = library.entry(f"{signature.name}_batch")
         if signature.single_difference:
             self._differences = library.entry(f"{signature.name}_sd")
-
-    def prepare(self, values: Sequence[Any]) -> list[Array]:
-        """Real arrays of the compiled type; complex numbers are refused."""
-        pairs = zip(self.signature.arguments, values, strict=True)
-        return [as_numbers(argument, value, self.real, False) for argument, value in pairs]
 
     def evaluate(
         self, part: Part, arrays: Sequence[Array], extent: Extent, out: list[Array] | None
@@ -84,7 +73,7 @@ class CompiledFunction(Function):
             return self._bound_batch(arrays, extent, out)
         items = self._item_status(extent)
         first, *rest = map(self._pointer, [*arrays, *out, *items])
-        run = partial(self._entries[Part.ALL], first, *_numbers(extent), *rest)
+        run = partial(self._entries[Part.ALL], first, *numbers(extent), *rest)
         item_status = items[0] if items else None
         done = self.result(Evaluation(out, Status.OK, item_status), arrays)
 
@@ -92,24 +81,6 @@ class CompiledFunction(Function):
             status = run()
             if status:
                 return self.result(Evaluation(out, Status(status), item_status), arrays)
-            return done
-
-        return call
-
-    def _bound_batch(
-        self, arrays: Sequence[Array], extent: Extent, out: list[Array]
-    ) -> Callable[[], Any]:
-        """The same for the batch loop, unless an argument must be spread over some axes first."""
-        if not all(_lies_ready(array, rank, extent) for array, rank in self._ranked(arrays)):
-            return super().bound(arrays, extent, out)
-        status, items, inputs = self._batch_inputs(arrays, extent)
-        pointers = map(self._pointer, [*out, status, *items])
-        run = partial(self._batch, status.size, *inputs, *pointers)
-        evaluation = Evaluation(out, status, items[0] if items else None)
-        done = self.result(evaluation, arrays)
-
-        def call() -> Any:
-            run()
             return done
 
         return call
@@ -123,10 +94,10 @@ class CompiledFunction(Function):
         reference: int | None = None,
     ) -> Evaluation:
         """Calls an entry point for one epoch."""
-        entry, numbers, rows = self._entries[part], _numbers(extent), extent
+        entry, counts, rows = self._entries[part], numbers(extent), extent
         longest = self._longest
         if reference is not None:
-            entry, numbers = self._differences, (*numbers, reference)
+            entry, counts = self._differences, (*counts, reference)
             rows, longest = Extent((), (extent.items or 0) - 1), longest - 1
         wanted = outputs_of(self.signature, part)
         given = dict(zip((output.name for output in wanted), out or (), strict=False))
@@ -139,7 +110,7 @@ class CompiledFunction(Function):
         items = self._item_status(extent)
         inputs = [np.ascontiguousarray(array) for array in arrays]
         first, *rest = map(self._pointer, [*inputs, *buffers, *items])
-        status = Status(entry(first, *numbers, *rest))
+        status = Status(entry(first, *counts, *rest))
         if out is not None and status in (Status.OK, Status.PARTIAL):
             for target, result in zip(out, results, strict=True):
                 if target is not result:
@@ -170,60 +141,6 @@ class CompiledFunction(Function):
         array = np.empty(shape, dtype=self.real) if given is None else given
         return array, array
 
-    def _many(
-        self, part: Part, arrays: Sequence[Array], extent: Extent, out: list[Array] | None
-    ) -> Evaluation:
-        """Calls the batch loop, which stores every output, by row."""
-        wanted = outputs_of(self.signature, part)
-        direct = () if part is Part.NONZEROS else out or ()
-        given = dict(zip((output.name for output in wanted), direct, strict=False))
-        whole = {
-            output.name: given[output.name]
-            if output.name in given
-            else np.empty(output_shape(output, Part.ALL, extent), dtype=self.real)
-            for output in self.signature.outputs
-        }
-        status, items, inputs = self._batch_inputs(arrays, extent)
-        pointers = map(self._pointer, [*whole.values(), status, *items])
-        self._batch(status.size, *inputs, *pointers)
-        results = [whole[output.name] for output in wanted]
-        if part is Part.NONZEROS:
-            results = self._nonzeros(results, arrays, extent, status, out)
-        evaluation = Evaluation(out or results, status, items[0] if items else None)
-        return self._voided(evaluation, out)
-
-    def _batch_inputs(
-        self, arrays: Sequence[Array], extent: Extent
-    ) -> tuple[Array, list[Array], list[Any]]:
-        """Room for the status of every epoch and item, and what the batch loop reads."""
-        status = np.empty(extent.batch, dtype=np.uint8)
-        items = [np.zeros((*extent.batch, number), dtype=np.uint8) for number in _numbers(extent)]
-        inputs: list[Any] = []
-        for array, rank in self._ranked(arrays):
-            memory, step = _stepped(array, rank, extent)
-            inputs += [self._pointer(memory), step, *(_numbers(extent) if not inputs else ())]
-        return status, items, inputs
-
-    def _nonzeros(
-        self,
-        dense: Sequence[Array],
-        arrays: Sequence[Array],
-        extent: Extent,
-        status: Array,
-        out: list[Array] | None,
-    ) -> list[Array]:
-        """Non-zeros from a stack of dense Jacobians, put where they were asked for."""
-        named = dict(zip(self.signature.names, arrays, strict=True))
-        results = [
-            gather(output, array.reshape((*_lead(output, extent), output.size)), named)
-            for output, array in zip(self.signature.jacobians, dense, strict=True)
-        ]
-        passed = (status == Status.OK) | (status == Status.PARTIAL)
-        for target, result in zip(out or (), results, strict=False):
-            where = passed.reshape(passed.shape + (1,) * (result.ndim - passed.ndim))
-            np.copyto(target, result, where=where)
-        return results
-
     def _allocate(
         self, outputs: Sequence[Output], extent: Extent, out: list[Array] | None
     ) -> list[Array]:
@@ -231,57 +148,22 @@ class CompiledFunction(Function):
             np.empty(output_shape(output, Part.ALL, extent), dtype=self.real) for output in outputs
         ]
 
-    def _voided(self, evaluation: Evaluation, out: list[Array] | None) -> Evaluation:
-        """NaN in new arrays where an epoch failed; arrays that were given stay as they are."""
-        status = evaluation.status
-        if out is not None or not status.any():
-            return evaluation
-        failed = (status != Status.OK) & (status != Status.PARTIAL)
-        if failed.any():
-            for array in evaluation.outputs:
-                array[failed] = np.nan
-        return evaluation
-
     def _item_status(self, extent: Extent) -> list[Array]:
         """Room for the status of every item, where the function is mapped."""
         return [] if extent.items is None else [np.zeros(extent.items, dtype=np.uint8)]
 
-    def _ranked(self, arrays: Sequence[Array]) -> list[tuple[Array, int]]:
-        ranks = (argument.rank for argument in self.signature.arguments)
-        return list(zip(arrays, ranks, strict=True))
-
     def _spread(self, arrays: Sequence[Array], extent: Extent) -> list[Array]:
         """Arguments with all their leading axes."""
-        return [_spread(array, rank, extent) for array, rank in self._ranked(arrays)]
+        return [spread(array, rank, extent) for array, rank in self._ranked(arrays)]
 
 
-def _lead(output: Output, extent: Extent) -> tuple[int, ...]:
-    """The axes in front of an output's own."""
-    return (*extent.batch, *(_numbers(extent) if output.item else ()))
+def apart(view: Array, written: Sequence[Array]) -> bool:
+    """True when an array is a view of none of those written to, which own their memory.
 
-
-def _numbers(extent: Extent) -> tuple[int, ...]:
-    """The number of items, where there is one."""
-    return () if extent.items is None else (extent.items,)
-
-
-def _spread(array: Array, rank: int, extent: Extent) -> Array:
-    own = array.shape[array.ndim - rank :]
-    return np.broadcast_to(array, (*extent.batch, *own))
-
-
-def _lies_ready(array: Array, rank: int, extent: Extent) -> bool:
-    """True when the batch loop can read an argument where it lies."""
-    lead = array.shape[: array.ndim - rank]
-    return lead == extent.batch or all(length == 1 for length in lead)
-
-
-def _stepped(array: Array, rank: int, extent: Extent) -> tuple[Array, int]:
-    """Memory of an argument and the distance between its epochs, zero when all share one."""
-    lead, own = array.shape[: array.ndim - rank], array.shape[array.ndim - rank :]
-    step = math.prod(own)
-    if lead == extent.batch:
-        return np.ascontiguousarray(array), step
-    if all(length == 1 for length in lead):
-        return np.ascontiguousarray(array), 0
-    return np.ascontiguousarray(_spread(array, rank, extent)), step
+    NumPy makes the owner the base of every view; what has another base is not looked into.
+    """
+    base = view.base
+    for target in written:
+        if base is target:
+            return False
+    return base.base is None

@@ -119,7 +119,8 @@ RETRACT = Signature(
     Notes
     -----
     Other forms, with the same arguments: ``retract.value`` (value), ``retract.bind`` (a call
-    without arguments over the same arrays).
+    without arguments over the same arrays), ``retract.blocks`` (epochs side by side, see
+    ``retract.to_lanes``).
     Source: the error conventions of the blocks.
     """,
     RetractResult,
@@ -146,6 +147,7 @@ RETRACT = Signature(
         ),
     ),
     (Output("value", (18,), tuple(range(18))),),
+    lanes=32,
 )
 
 
@@ -196,7 +198,8 @@ LOCAL = Signature(
     Notes
     -----
     Other forms, with the same arguments: ``local.value`` (value), ``local.bind`` (a call
-    without arguments over the same arrays).
+    without arguments over the same arrays), ``local.blocks`` (epochs side by side, see
+    ``local.to_lanes``).
     Source: the error conventions of the blocks.
     """,
     LocalResult,
@@ -232,6 +235,7 @@ LOCAL = Signature(
         ),
     ),
     (Output("value", (17,), tuple(range(17))),),
+    lanes=32,
 )
 
 

@@ -177,6 +177,7 @@ class Signature:
     guarded: bool = True
     column_major: bool = False
     single_difference: bool = False
+    lanes: int = 0
 
     @cached_property
     def mapped(self) -> bool:

@@ -15,9 +15,11 @@ from . import _calls, _compiled, _extension, _interface, _runtime
 
 _module = _extension.load_extension(Path(__file__).parent, "native")
 _library = _extension.Library(_module, "farrell_tightly_coupled", "float64")
+set_threads = _library.set_threads
 _new = _library.ffi.new
 _pointer = _library.ffi.from_buffer
 _reals, _integers, _bytes = _library.reals, _library.integers, _library.bytes
+_apart = _compiled.apart
 _empty, _tuple = _np.empty, tuple.__new__
 _real, _integer, _byte = _library.real, _np.dtype(_np.int32), _np.dtype(_np.uint8)
 _OK = _runtime.Status.OK
@@ -31,14 +33,32 @@ _retract_entry = _library.entry("retract")
 def _retract_call(x: Any = None, /, *, d: Any = None, out: Any = None, **_other: Any) -> Any:
     try:
         if (
-            out is None
-            and not _other
+            not _other
             and x.dtype is _real
-            and x.shape == (18,)
+            and x.ndim == 1
+            and len(x) == 18
             and d.dtype is _real
-            and d.shape == (17,)
+            and d.ndim == 1
+            and len(d) == 17
         ):
-            value = _empty(18)
+            if out is None:
+                value = _empty(18)
+            else:
+                written = out[:1]
+                (value,) = written
+                if not (
+                    len(out) in (1, 2)
+                    and (x.base is None or _apart(x, written))
+                    and (d.base is None or _apart(d, written))
+                    and value.dtype is _real
+                    and value.ndim == 1
+                    and len(value) == 18
+                    and (flags := value.flags).carray
+                    and flags.owndata
+                    and value is not x
+                ):
+                    written = _retract_function.given(out, (x, d))
+                    (value,) = written
             if not _retract_entry(
                 _pointer(_reals, x), _pointer(_reals, d), _pointer(_reals, value)
             ):
@@ -58,14 +78,31 @@ _local_entry = _library.entry("local")
 def _local_call(x: Any = None, /, *, y: Any = None, out: Any = None, **_other: Any) -> Any:
     try:
         if (
-            out is None
-            and not _other
+            not _other
             and x.dtype is _real
-            and x.shape == (18,)
+            and x.ndim == 1
+            and len(x) == 18
             and y.dtype is _real
-            and y.shape == (18,)
+            and y.ndim == 1
+            and len(y) == 18
         ):
-            value = _empty(17)
+            if out is None:
+                value = _empty(17)
+            else:
+                written = out[:1]
+                (value,) = written
+                if not (
+                    len(out) in (1, 2)
+                    and (x.base is None or _apart(x, written))
+                    and (y.base is None or _apart(y, written))
+                    and value.dtype is _real
+                    and value.ndim == 1
+                    and len(value) == 17
+                    and (flags := value.flags).carray
+                    and flags.owndata
+                ):
+                    written = _local_function.given(out, (x, y))
+                    (value,) = written
             if not _local_entry(_pointer(_reals, x), _pointer(_reals, y), _pointer(_reals, value)):
                 return _tuple(_interface.LocalResult, (value, _OK))
     except _UNFIT:
@@ -93,23 +130,65 @@ def _pseudorange_call(
 ) -> Any:
     try:
         if (
-            out is None
-            and not _other
+            not _other
             and (n := len(satellite_position)) <= 32
             and x.dtype is _real
-            and x.shape == (18,)
+            and x.ndim == 1
+            and len(x) == 18
             and c_n_e.dtype is _real
-            and c_n_e.shape == (9,)
+            and c_n_e.ndim == 1
+            and len(c_n_e) == 9
             and origin.dtype is _real
-            and origin.shape == (3,)
+            and origin.ndim == 1
+            and len(origin) == 3
             and satellite_position.dtype is _real
             and satellite_position.shape == (n, 3)
             and measured.dtype is _real
-            and measured.shape == (n,)
+            and measured.ndim == 1
+            and len(measured) == n
         ):
-            value = _empty(n)
-            residual = _empty(n)
-            jacobian = _empty((n, 17))
+            if out is None:
+                value = _empty(n)
+                residual = _empty(n)
+                jacobian = _empty((n, 17))
+            else:
+                written = out[:3]
+                (value, residual, jacobian) = written
+                if not (
+                    len(out) in (3, 5)
+                    and (x.base is None or _apart(x, written))
+                    and (c_n_e.base is None or _apart(c_n_e, written))
+                    and (origin.base is None or _apart(origin, written))
+                    and (satellite_position.base is None or _apart(satellite_position, written))
+                    and (measured.base is None or _apart(measured, written))
+                    and value.dtype is _real
+                    and value.ndim == 1
+                    and len(value) == n
+                    and (flags := value.flags).carray
+                    and flags.owndata
+                    and value is not x
+                    and value is not c_n_e
+                    and value is not origin
+                    and value is not measured
+                    and residual.dtype is _real
+                    and residual.ndim == 1
+                    and len(residual) == n
+                    and (flags := residual.flags).carray
+                    and flags.owndata
+                    and residual is not x
+                    and residual is not c_n_e
+                    and residual is not origin
+                    and residual is not measured
+                    and residual is not value
+                    and jacobian.dtype is _real
+                    and jacobian.shape == (n, 17)
+                    and (flags := jacobian.flags).carray
+                    and flags.owndata
+                ):
+                    written = _pseudorange_function.given(
+                        out, (x, c_n_e, origin, satellite_position, measured), n
+                    )
+                    (value, residual, jacobian) = written
             item_status = _empty(n, _byte)
             if not _pseudorange_entry(
                 _pointer(_reals, x),
@@ -158,22 +237,54 @@ def _pseudorange_lever_arm_call(
 ) -> Any:
     try:
         if (
-            out is None
-            and not _other
+            not _other
             and (n := len(satellite_position)) <= 32
             and x.dtype is _real
-            and x.shape == (18,)
+            and x.ndim == 1
+            and len(x) == 18
             and c_n_e.dtype is _real
-            and c_n_e.shape == (9,)
+            and c_n_e.ndim == 1
+            and len(c_n_e) == 9
             and origin.dtype is _real
-            and origin.shape == (3,)
+            and origin.ndim == 1
+            and len(origin) == 3
             and lever_arm.dtype is _real
-            and lever_arm.shape == (3,)
+            and lever_arm.ndim == 1
+            and len(lever_arm) == 3
             and satellite_position.dtype is _real
             and satellite_position.shape == (n, 3)
         ):
-            value = _empty(n)
-            jacobian = _empty((n, 17))
+            if out is None:
+                value = _empty(n)
+                jacobian = _empty((n, 17))
+            else:
+                written = out[:2]
+                (value, jacobian) = written
+                if not (
+                    len(out) in (2, 4)
+                    and (x.base is None or _apart(x, written))
+                    and (c_n_e.base is None or _apart(c_n_e, written))
+                    and (origin.base is None or _apart(origin, written))
+                    and (lever_arm.base is None or _apart(lever_arm, written))
+                    and (satellite_position.base is None or _apart(satellite_position, written))
+                    and value.dtype is _real
+                    and value.ndim == 1
+                    and len(value) == n
+                    and (flags := value.flags).carray
+                    and flags.owndata
+                    and value is not x
+                    and value is not c_n_e
+                    and value is not origin
+                    and value is not lever_arm
+                    and jacobian.dtype is _real
+                    and jacobian.shape == (n, 17)
+                    and (flags := jacobian.flags).carray
+                    and flags.owndata
+                ):
+                    written = _pseudorange_lever_arm_function.given(
+                        out, (x, c_n_e, origin, lever_arm, satellite_position), n
+                    )
+                    (value, jacobian) = written
             item_status = _empty(n, _byte)
             if not _pseudorange_lever_arm_entry(
                 _pointer(_reals, x),

@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import casadi as casadi
 from . import native as native
 from . import numpy as numpy
+from ._lanes import Blocks as Blocks
 from ._runtime import GuardError as GuardError
 from ._runtime import Status as Status
 
@@ -64,7 +65,8 @@ class _Retract(Protocol):
         Notes
         -----
         Other forms, with the same arguments: ``retract.value`` (value), ``retract.bind`` (a call
-        without arguments over the same arrays).
+        without arguments over the same arrays), ``retract.blocks`` (epochs side by side, see
+        ``retract.to_lanes``).
         Source: the error conventions of the blocks.
         """
     def bind(
@@ -83,6 +85,27 @@ class _Retract(Protocol):
         d: ArrayLike,
         out: _Array | Sequence[_Array] | Mapping[str, _Array] | None = None,
     ) -> _Array: ...
+    lanes: int
+    def to_lanes(self, rows: ArrayLike) -> _Array: ...
+    def from_lanes(self, blocked: ArrayLike, epochs: int | None = None) -> _Array: ...
+    def blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        d: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Blocks: ...
+    def bind_blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        d: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Callable[[], Blocks]: ...
 
 retract: _Retract
 
@@ -136,7 +159,8 @@ class _Local(Protocol):
         Notes
         -----
         Other forms, with the same arguments: ``local.value`` (value), ``local.bind`` (a call
-        without arguments over the same arrays).
+        without arguments over the same arrays), ``local.blocks`` (epochs side by side, see
+        ``local.to_lanes``).
         Source: the error conventions of the blocks.
         """
     def bind(
@@ -155,6 +179,27 @@ class _Local(Protocol):
         y: ArrayLike,
         out: _Array | Sequence[_Array] | Mapping[str, _Array] | None = None,
     ) -> _Array: ...
+    lanes: int
+    def to_lanes(self, rows: ArrayLike) -> _Array: ...
+    def from_lanes(self, blocked: ArrayLike, epochs: int | None = None) -> _Array: ...
+    def blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        y: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Blocks: ...
+    def bind_blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        y: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Callable[[], Blocks]: ...
 
 local: _Local
 
@@ -233,7 +278,8 @@ class _Calc_Force(Protocol):
         Other forms, with the same arguments: ``calc_force.value`` (value), ``calc_force.jacobian``
         (jacobian_dcm, jacobian_delta_theta, jacobian_delta_velocity, jacobian_dt),
         ``calc_force.nonzeros`` (what is not zero by structure), ``calc_force.bind`` (a call without
-        arguments over the same arrays).
+        arguments over the same arrays), ``calc_force.blocks`` (epochs side by side, see
+        ``calc_force.to_lanes``).
         Input: increments, raw, resolved in the body frame.
         The attitude is that at the start of the interval; rotation correction half, sculling none.
         Angles are with respect to inertial space; the rotation of the navigation frame over one
@@ -277,6 +323,29 @@ class _Calc_Force(Protocol):
         dt: ArrayLike,
         out: _Array | Sequence[_Array] | Mapping[str, _Array] | None = None,
     ) -> tuple[_Array, _Array, _Array, _Array]: ...
+    lanes: int
+    def to_lanes(self, rows: ArrayLike) -> _Array: ...
+    def from_lanes(self, blocked: ArrayLike, epochs: int | None = None) -> _Array: ...
+    def blocks(
+        self,
+        *,
+        dcm: ArrayLike,
+        delta_theta: ArrayLike,
+        delta_velocity: ArrayLike,
+        dt: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Blocks: ...
+    def bind_blocks(
+        self,
+        *,
+        dcm: ArrayLike,
+        delta_theta: ArrayLike,
+        delta_velocity: ArrayLike,
+        dt: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Callable[[], Blocks]: ...
 
 calc_force: _Calc_Force
 
@@ -359,7 +428,8 @@ class _Force(Protocol):
         -----
         Other forms, with the same arguments: ``force.value`` (value), ``force.jacobian`` (jacobian,
         jacobian_delta_theta, jacobian_delta_velocity, jacobian_dt), ``force.nonzeros`` (what is not
-        zero by structure), ``force.bind`` (a call without arguments over the same arrays).
+        zero by structure), ``force.bind`` (a call without arguments over the same arrays),
+        ``force.blocks`` (epochs side by side, see ``force.to_lanes``).
         Input: increments, raw, resolved in the body frame.
         The attitude is that at the start of the interval; rotation correction half, sculling none.
         Angles are with respect to inertial space; the rotation of the navigation frame over one
@@ -407,6 +477,31 @@ class _Force(Protocol):
         dt: ArrayLike,
         out: _Array | Sequence[_Array] | Mapping[str, _Array] | None = None,
     ) -> tuple[_Array, _Array, _Array, _Array]: ...
+    lanes: int
+    def to_lanes(self, rows: ArrayLike) -> _Array: ...
+    def from_lanes(self, blocked: ArrayLike, epochs: int | None = None) -> _Array: ...
+    def blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        delta_theta: ArrayLike,
+        delta_velocity: ArrayLike,
+        dt: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Blocks: ...
+    def bind_blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        delta_theta: ArrayLike,
+        delta_velocity: ArrayLike,
+        dt: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Callable[[], Blocks]: ...
 
 force: _Force
 

@@ -132,7 +132,8 @@ RETRACT = Signature(
     Notes
     -----
     Other forms, with the same arguments: ``retract.value`` (value), ``retract.bind`` (a call
-    without arguments over the same arrays).
+    without arguments over the same arrays), ``retract.blocks`` (epochs side by side, see
+    ``retract.to_lanes``).
     Source: the error conventions of the blocks.
     """,
     RetractResult,
@@ -193,6 +194,7 @@ RETRACT = Signature(
         ),
     ),
     (Output("value", (16,), tuple(range(16))),),
+    lanes=32,
 )
 
 
@@ -235,7 +237,8 @@ LOCAL = Signature(
     Notes
     -----
     Other forms, with the same arguments: ``local.value`` (value), ``local.bind`` (a call
-    without arguments over the same arrays).
+    without arguments over the same arrays), ``local.blocks`` (epochs side by side, see
+    ``local.to_lanes``).
     Source: the error conventions of the blocks.
     """,
     LocalResult,
@@ -297,6 +300,7 @@ LOCAL = Signature(
         ),
     ),
     (Output("value", (15,), tuple(range(15))),),
+    lanes=32,
 )
 
 
@@ -351,7 +355,8 @@ CALC_FORCE = Signature(
     Other forms, with the same arguments: ``calc_force.value`` (value), ``calc_force.jacobian``
     (jacobian_dcm, jacobian_delta_theta, jacobian_delta_velocity, jacobian_dt),
     ``calc_force.nonzeros`` (what is not zero by structure), ``calc_force.bind`` (a call without
-    arguments over the same arrays).
+    arguments over the same arrays), ``calc_force.blocks`` (epochs side by side, see
+    ``calc_force.to_lanes``).
     Input: increments, raw, resolved in the body frame.
     The attitude is that at the start of the interval; rotation correction half, sculling none.
     Angles are with respect to inertial space; the rotation of the navigation frame over one
@@ -424,6 +429,7 @@ CALC_FORCE = Signature(
         Output("jacobian_delta_velocity", (3, 3), tuple(range(9))),
         Output("jacobian_dt", (3, 1), (0, 1, 2)),
     ),
+    lanes=32,
 )
 
 
@@ -481,7 +487,8 @@ FORCE = Signature(
     -----
     Other forms, with the same arguments: ``force.value`` (value), ``force.jacobian`` (jacobian,
     jacobian_delta_theta, jacobian_delta_velocity, jacobian_dt), ``force.nonzeros`` (what is not
-    zero by structure), ``force.bind`` (a call without arguments over the same arrays).
+    zero by structure), ``force.bind`` (a call without arguments over the same arrays),
+    ``force.blocks`` (epochs side by side, see ``force.to_lanes``).
     Input: increments, raw, resolved in the body frame.
     The attitude is that at the start of the interval; rotation correction half, sculling none.
     Angles are with respect to inertial space; the rotation of the navigation frame over one
@@ -605,6 +612,7 @@ FORCE = Signature(
         Output("jacobian_delta_velocity", (3, 3), tuple(range(9))),
         Output("jacobian_dt", (3, 1), (0, 1, 2)),
     ),
+    lanes=16,
 )
 
 

@@ -9,3 +9,5 @@ retract: _Retract
 local: _Local
 calc_force: _Calc_Force
 force: _Force
+
+def set_threads(count: int) -> None: ...

@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import casadi as casadi
 from . import native as native
 from . import numpy as numpy
+from ._lanes import Blocks as Blocks
 from ._runtime import GuardError as GuardError
 from ._runtime import Status as Status
 
@@ -72,7 +73,8 @@ class _Retract(Protocol):
         Notes
         -----
         Other forms, with the same arguments: ``retract.value`` (value), ``retract.bind`` (a call
-        without arguments over the same arrays).
+        without arguments over the same arrays), ``retract.blocks`` (epochs side by side, see
+        ``retract.to_lanes``).
         Source: the error conventions of the blocks.
         """
     def bind(
@@ -91,6 +93,27 @@ class _Retract(Protocol):
         d: ArrayLike,
         out: _Array | Sequence[_Array] | Mapping[str, _Array] | None = None,
     ) -> _Array: ...
+    lanes: int
+    def to_lanes(self, rows: ArrayLike) -> _Array: ...
+    def from_lanes(self, blocked: ArrayLike, epochs: int | None = None) -> _Array: ...
+    def blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        d: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Blocks: ...
+    def bind_blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        d: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Callable[[], Blocks]: ...
 
 retract: _Retract
 
@@ -152,7 +175,8 @@ class _Local(Protocol):
         Notes
         -----
         Other forms, with the same arguments: ``local.value`` (value), ``local.bind`` (a call
-        without arguments over the same arrays).
+        without arguments over the same arrays), ``local.blocks`` (epochs side by side, see
+        ``local.to_lanes``).
         Source: the error conventions of the blocks.
         """
     def bind(
@@ -171,6 +195,27 @@ class _Local(Protocol):
         y: ArrayLike,
         out: _Array | Sequence[_Array] | Mapping[str, _Array] | None = None,
     ) -> _Array: ...
+    lanes: int
+    def to_lanes(self, rows: ArrayLike) -> _Array: ...
+    def from_lanes(self, blocked: ArrayLike, epochs: int | None = None) -> _Array: ...
+    def blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        y: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Blocks: ...
+    def bind_blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        y: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Callable[[], Blocks]: ...
 
 local: _Local
 
@@ -229,7 +274,7 @@ class _Gps(Protocol):
         -----
         Other forms, with the same arguments: ``gps.value`` (value), ``gps.jacobian`` (jacobian),
         ``gps.nonzeros`` (what is not zero by structure), ``gps.bind`` (a call without arguments
-        over the same arrays).
+        over the same arrays), ``gps.blocks`` (epochs side by side, see ``gps.to_lanes``).
         The lever arm points from the body origin to the antenna, resolved in the body frame.
         C and R are used in the direction their declared maps and the frames of the vectors need.
         Source: WarpTwin GPSMeasurements documentation; ekf_cal documentation, GPS filtering.
@@ -262,6 +307,25 @@ class _Gps(Protocol):
         *,
         out: _Array | Sequence[_Array] | Mapping[str, _Array] | None = None,
     ) -> _Array: ...
+    lanes: int
+    def to_lanes(self, rows: ArrayLike) -> _Array: ...
+    def from_lanes(self, blocked: ArrayLike, epochs: int | None = None) -> _Array: ...
+    def blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Blocks: ...
+    def bind_blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Callable[[], Blocks]: ...
 
 gps: _Gps
 
@@ -489,7 +553,7 @@ class _Imu(Protocol):
         -----
         Other forms, with the same arguments: ``imu.value`` (value), ``imu.jacobian`` (jacobian),
         ``imu.nonzeros`` (what is not zero by structure), ``imu.bind`` (a call without arguments
-        over the same arrays).
+        over the same arrays), ``imu.blocks`` (epochs side by side, see ``imu.to_lanes``).
         Input: increments, raw, resolved in the body frame.
         The attitude is that at the start of the interval; rotation correction half, sculling
         polynomial.
@@ -538,6 +602,31 @@ class _Imu(Protocol):
         dt: ArrayLike,
         out: _Array | Sequence[_Array] | Mapping[str, _Array] | None = None,
     ) -> _Array: ...
+    lanes: int
+    def to_lanes(self, rows: ArrayLike) -> _Array: ...
+    def from_lanes(self, blocked: ArrayLike, epochs: int | None = None) -> _Array: ...
+    def blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        delta_theta: ArrayLike,
+        delta_velocity: ArrayLike,
+        dt: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Blocks: ...
+    def bind_blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        delta_theta: ArrayLike,
+        delta_velocity: ArrayLike,
+        dt: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Callable[[], Blocks]: ...
 
 imu: _Imu
 

@@ -6,10 +6,12 @@ import inspect
 import operator
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from . import _lanes
 from ._explain import explain
 from ._runtime import (
     Argument,
@@ -73,6 +75,26 @@ class Function(ABC):
             return self.result(self.evaluate(Part.ALL, arrays, extent, out), arrays)
 
         return call
+
+    def evaluate_blocks(
+        self,
+        arrays: Sequence[Array],
+        epochs: int,
+        outputs: Mapping[str, Array],
+        status: Array,
+    ) -> None:
+        """Computes epochs that lie side by side in blocks; what fails stays untouched."""
+        _lanes.evaluate_rows(self, arrays, epochs, outputs, status)
+
+    def bound_blocks(
+        self,
+        arrays: Sequence[Array],
+        epochs: int,
+        outputs: Mapping[str, Array],
+        status: Array,
+    ) -> Callable[[], Any]:
+        """The same as a function without arguments."""
+        return partial(self.evaluate_blocks, arrays, epochs, outputs, status)
 
     def call(self, state: Sequence[Any], inputs: Mapping[str, Any], out: Any = None) -> Any:
         """All outputs, as the function's result type."""
@@ -267,6 +289,10 @@ def publish(function: Function, module: str, joint: Callable[..., Any] | None = 
         public.__dict__.update({f"{output.name}_rows": rows, f"{output.name}_columns": columns})
     if signature.single_difference:
         public.__dict__.update(_differences(function))
+    if not signature.mapped:
+        for name, form in _lanes.forms(function).items():
+            named = name in ("blocks", "bind_blocks")
+            public.__dict__[name] = _describe(form, function, module, name) if named else form
     return public
 
 
@@ -316,6 +342,8 @@ def _describe(
     ]
     if name == "single_difference":
         parameters.append(kinds("reference", kinds.KEYWORD_ONLY))
+    if name in ("blocks", "bind_blocks"):
+        parameters.append(kinds("epochs", kinds.KEYWORD_ONLY, default=None))
     parameters.append(kinds("out", kinds.KEYWORD_ONLY, default=None))
     call.__dict__["__signature__"] = inspect.Signature(parameters)
     return call

@@ -145,7 +145,8 @@ RETRACT = Signature(
     Notes
     -----
     Other forms, with the same arguments: ``retract.value`` (value), ``retract.bind`` (a call
-    without arguments over the same arrays).
+    without arguments over the same arrays), ``retract.blocks`` (epochs side by side, see
+    ``retract.to_lanes``).
     Source: the error conventions of the blocks.
     """,
     RetractResult,
@@ -212,6 +213,7 @@ RETRACT = Signature(
         ),
     ),
     (Output("value", (22,), tuple(range(22))),),
+    lanes=16,
 )
 
 
@@ -262,7 +264,8 @@ LOCAL = Signature(
     Notes
     -----
     Other forms, with the same arguments: ``local.value`` (value), ``local.bind`` (a call
-    without arguments over the same arrays).
+    without arguments over the same arrays), ``local.blocks`` (epochs side by side, see
+    ``local.to_lanes``).
     Source: the error conventions of the blocks.
     """,
     LocalResult,
@@ -330,6 +333,7 @@ LOCAL = Signature(
         ),
     ),
     (Output("value", (21,), tuple(range(21))),),
+    lanes=16,
 )
 
 
@@ -375,7 +379,7 @@ GPS = Signature(
     -----
     Other forms, with the same arguments: ``gps.value`` (value), ``gps.jacobian`` (jacobian),
     ``gps.nonzeros`` (what is not zero by structure), ``gps.bind`` (a call without arguments
-    over the same arrays).
+    over the same arrays), ``gps.blocks`` (epochs side by side, see ``gps.to_lanes``).
     The lever arm points from the body origin to the antenna, resolved in the body frame.
     C and R are used in the direction their declared maps and the frames of the vectors need.
     Source: WarpTwin GPSMeasurements documentation; ekf_cal documentation, GPS filtering.
@@ -451,6 +455,7 @@ GPS = Signature(
             (0, 6, 7, 8, 15, 16, 17, 22, 27, 28, 29, 36, 37, 38, 44, 48, 49, 50, 57, 58, 59),
         ),
     ),
+    lanes=32,
 )
 
 
@@ -730,7 +735,7 @@ IMU = Signature(
     -----
     Other forms, with the same arguments: ``imu.value`` (value), ``imu.jacobian`` (jacobian),
     ``imu.nonzeros`` (what is not zero by structure), ``imu.bind`` (a call without arguments
-    over the same arrays).
+    over the same arrays), ``imu.blocks`` (epochs side by side, see ``imu.to_lanes``).
     Input: increments, raw, resolved in the body frame.
     The attitude is that at the start of the interval; rotation correction half, sculling
     polynomial.
@@ -866,6 +871,7 @@ IMU = Signature(
             ),
         ),
     ),
+    lanes=16,
 )
 
 

@@ -11,3 +11,5 @@ local: _Local
 gps: _Gps
 range: _Range
 imu: _Imu
+
+def set_threads(count: int) -> None: ...

@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import casadi as casadi
 from . import native as native
 from . import numpy as numpy
+from ._lanes import Blocks as Blocks
 from ._runtime import GuardError as GuardError
 from ._runtime import Status as Status
 
@@ -57,7 +58,8 @@ class _Retract(Protocol):
         Notes
         -----
         Other forms, with the same arguments: ``retract.value`` (value), ``retract.bind`` (a call
-        without arguments over the same arrays).
+        without arguments over the same arrays), ``retract.blocks`` (epochs side by side, see
+        ``retract.to_lanes``).
         Source: the error conventions of the blocks.
         """
     def bind(
@@ -76,6 +78,27 @@ class _Retract(Protocol):
         d: ArrayLike,
         out: _Array | Sequence[_Array] | Mapping[str, _Array] | None = None,
     ) -> _Array: ...
+    lanes: int
+    def to_lanes(self, rows: ArrayLike) -> _Array: ...
+    def from_lanes(self, blocked: ArrayLike, epochs: int | None = None) -> _Array: ...
+    def blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        d: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Blocks: ...
+    def bind_blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        d: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Callable[[], Blocks]: ...
 
 retract: _Retract
 
@@ -123,7 +146,8 @@ class _Local(Protocol):
         Notes
         -----
         Other forms, with the same arguments: ``local.value`` (value), ``local.bind`` (a call
-        without arguments over the same arrays).
+        without arguments over the same arrays), ``local.blocks`` (epochs side by side, see
+        ``local.to_lanes``).
         Source: the error conventions of the blocks.
         """
     def bind(
@@ -142,6 +166,27 @@ class _Local(Protocol):
         y: ArrayLike,
         out: _Array | Sequence[_Array] | Mapping[str, _Array] | None = None,
     ) -> _Array: ...
+    lanes: int
+    def to_lanes(self, rows: ArrayLike) -> _Array: ...
+    def from_lanes(self, blocked: ArrayLike, epochs: int | None = None) -> _Array: ...
+    def blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        y: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Blocks: ...
+    def bind_blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        y: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Callable[[], Blocks]: ...
 
 local: _Local
 
@@ -493,7 +538,8 @@ class _Broadcast_Orbit(Protocol):
         Notes
         -----
         Other forms, with the same arguments: ``broadcast_orbit.value`` (position, clock, velocity,
-        clock_rate), ``broadcast_orbit.bind`` (a call without arguments over the same arrays).
+        clock_rate), ``broadcast_orbit.bind`` (a call without arguments over the same arrays),
+        ``broadcast_orbit.blocks`` (epochs side by side, see ``broadcast_orbit.to_lanes``).
         GM = 3.986005000e+14 m^3/s^2 of gps; the other system's value costs metres after two hours.
         Earth-fixed axes at the time given, which is the time of transmission for a pseudorange.
         Kepler's equation by 4 Newton steps: error below 1e-16 rad for eccentricities up to 0.1.
@@ -554,6 +600,65 @@ class _Broadcast_Orbit(Protocol):
         group_delay: ArrayLike,
         out: _Array | Sequence[_Array] | Mapping[str, _Array] | None = None,
     ) -> tuple[_Array, _Array, _Array, _Array]: ...
+    lanes: int
+    def to_lanes(self, rows: ArrayLike) -> _Array: ...
+    def from_lanes(self, blocked: ArrayLike, epochs: int | None = None) -> _Array: ...
+    def blocks(
+        self,
+        *,
+        time: ArrayLike,
+        toe: ArrayLike,
+        toc: ArrayLike,
+        sqrt_a: ArrayLike,
+        eccentricity: ArrayLike,
+        mean_anomaly: ArrayLike,
+        mean_motion_difference: ArrayLike,
+        inclination: ArrayLike,
+        inclination_rate: ArrayLike,
+        right_ascension: ArrayLike,
+        right_ascension_rate: ArrayLike,
+        argument_of_perigee: ArrayLike,
+        cuc: ArrayLike,
+        cus: ArrayLike,
+        crc: ArrayLike,
+        crs: ArrayLike,
+        cic: ArrayLike,
+        cis: ArrayLike,
+        af0: ArrayLike,
+        af1: ArrayLike,
+        af2: ArrayLike,
+        group_delay: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Blocks: ...
+    def bind_blocks(
+        self,
+        *,
+        time: ArrayLike,
+        toe: ArrayLike,
+        toc: ArrayLike,
+        sqrt_a: ArrayLike,
+        eccentricity: ArrayLike,
+        mean_anomaly: ArrayLike,
+        mean_motion_difference: ArrayLike,
+        inclination: ArrayLike,
+        inclination_rate: ArrayLike,
+        right_ascension: ArrayLike,
+        right_ascension_rate: ArrayLike,
+        argument_of_perigee: ArrayLike,
+        cuc: ArrayLike,
+        cus: ArrayLike,
+        crc: ArrayLike,
+        crs: ArrayLike,
+        cic: ArrayLike,
+        cis: ArrayLike,
+        af0: ArrayLike,
+        af1: ArrayLike,
+        af2: ArrayLike,
+        group_delay: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Callable[[], Blocks]: ...
 
 broadcast_orbit: _Broadcast_Orbit
 

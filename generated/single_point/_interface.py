@@ -103,7 +103,8 @@ RETRACT = Signature(
     Notes
     -----
     Other forms, with the same arguments: ``retract.value`` (value), ``retract.bind`` (a call
-    without arguments over the same arrays).
+    without arguments over the same arrays), ``retract.blocks`` (epochs side by side, see
+    ``retract.to_lanes``).
     Source: the error conventions of the blocks.
     """,
     RetractResult,
@@ -121,6 +122,7 @@ RETRACT = Signature(
         ),
     ),
     (Output("value", (4,), tuple(range(4))),),
+    lanes=32,
 )
 
 
@@ -157,7 +159,8 @@ LOCAL = Signature(
     Notes
     -----
     Other forms, with the same arguments: ``local.value`` (value), ``local.bind`` (a call
-    without arguments over the same arrays).
+    without arguments over the same arrays), ``local.blocks`` (epochs side by side, see
+    ``local.to_lanes``).
     Source: the error conventions of the blocks.
     """,
     LocalResult,
@@ -175,6 +178,7 @@ LOCAL = Signature(
         ),
     ),
     (Output("value", (4,), tuple(range(4))),),
+    lanes=32,
 )
 
 
@@ -463,7 +467,8 @@ BROADCAST_ORBIT = Signature(
     Notes
     -----
     Other forms, with the same arguments: ``broadcast_orbit.value`` (position, clock, velocity,
-    clock_rate), ``broadcast_orbit.bind`` (a call without arguments over the same arrays).
+    clock_rate), ``broadcast_orbit.bind`` (a call without arguments over the same arrays),
+    ``broadcast_orbit.blocks`` (epochs side by side, see ``broadcast_orbit.to_lanes``).
     GM = 3.986005000e+14 m^3/s^2 of gps; the other system's value costs metres after two hours.
     Earth-fixed axes at the time given, which is the time of transmission for a pseudorange.
     Kepler's equation by 4 Newton steps: error below 1e-16 rad for eccentricities up to 0.1.
@@ -619,6 +624,7 @@ BROADCAST_ORBIT = Signature(
         Output("velocity", (3,), (0, 1, 2)),
         Output("clock_rate", (), (0,)),
     ),
+    lanes=32,
 )
 
 

@@ -15,9 +15,11 @@ from . import _calls, _compiled, _extension, _interface, _runtime
 
 _module = _extension.load_extension(Path(__file__).parent, "native")
 _library = _extension.Library(_module, "single_point", "float64")
+set_threads = _library.set_threads
 _new = _library.ffi.new
 _pointer = _library.ffi.from_buffer
 _reals, _integers, _bytes = _library.reals, _library.integers, _library.bytes
+_apart = _compiled.apart
 _empty, _tuple = _np.empty, tuple.__new__
 _real, _integer, _byte = _library.real, _np.dtype(_np.int32), _np.dtype(_np.uint8)
 _OK = _runtime.Status.OK
@@ -31,14 +33,33 @@ _retract_entry = _library.entry("retract")
 def _retract_call(x: Any = None, /, *, d: Any = None, out: Any = None, **_other: Any) -> Any:
     try:
         if (
-            out is None
-            and not _other
+            not _other
             and x.dtype is _real
-            and x.shape == (4,)
+            and x.ndim == 1
+            and len(x) == 4
             and d.dtype is _real
-            and d.shape == (4,)
+            and d.ndim == 1
+            and len(d) == 4
         ):
-            value = _empty(4)
+            if out is None:
+                value = _empty(4)
+            else:
+                written = out[:1]
+                (value,) = written
+                if not (
+                    len(out) in (1, 2)
+                    and (x.base is None or _apart(x, written))
+                    and (d.base is None or _apart(d, written))
+                    and value.dtype is _real
+                    and value.ndim == 1
+                    and len(value) == 4
+                    and (flags := value.flags).carray
+                    and flags.owndata
+                    and value is not x
+                    and value is not d
+                ):
+                    written = _retract_function.given(out, (x, d))
+                    (value,) = written
             if not _retract_entry(
                 _pointer(_reals, x), _pointer(_reals, d), _pointer(_reals, value)
             ):
@@ -58,14 +79,33 @@ _local_entry = _library.entry("local")
 def _local_call(x: Any = None, /, *, y: Any = None, out: Any = None, **_other: Any) -> Any:
     try:
         if (
-            out is None
-            and not _other
+            not _other
             and x.dtype is _real
-            and x.shape == (4,)
+            and x.ndim == 1
+            and len(x) == 4
             and y.dtype is _real
-            and y.shape == (4,)
+            and y.ndim == 1
+            and len(y) == 4
         ):
-            value = _empty(4)
+            if out is None:
+                value = _empty(4)
+            else:
+                written = out[:1]
+                (value,) = written
+                if not (
+                    len(out) in (1, 2)
+                    and (x.base is None or _apart(x, written))
+                    and (y.base is None or _apart(y, written))
+                    and value.dtype is _real
+                    and value.ndim == 1
+                    and len(value) == 4
+                    and (flags := value.flags).carray
+                    and flags.owndata
+                    and value is not x
+                    and value is not y
+                ):
+                    written = _local_function.given(out, (x, y))
+                    (value,) = written
             if not _local_entry(_pointer(_reals, x), _pointer(_reals, y), _pointer(_reals, value)):
                 return _tuple(_interface.LocalResult, (value, _OK))
     except _UNFIT:
@@ -93,22 +133,54 @@ def _pseudorange_call(
 ) -> Any:
     try:
         if (
-            out is None
-            and not _other
+            not _other
             and (n := len(satellite_position)) <= 32
             and x.dtype is _real
-            and x.shape == (4,)
+            and x.ndim == 1
+            and len(x) == 4
             and satellite_position.dtype is _real
             and satellite_position.shape == (n, 3)
             and satellite_clock.dtype is _real
-            and satellite_clock.shape == (n,)
+            and satellite_clock.ndim == 1
+            and len(satellite_clock) == n
             and troposphere.dtype is _real
-            and troposphere.shape == (n,)
+            and troposphere.ndim == 1
+            and len(troposphere) == n
             and ionosphere.dtype is _real
-            and ionosphere.shape == (n,)
+            and ionosphere.ndim == 1
+            and len(ionosphere) == n
         ):
-            value = _empty(n)
-            jacobian = _empty((n, 4))
+            if out is None:
+                value = _empty(n)
+                jacobian = _empty((n, 4))
+            else:
+                written = out[:2]
+                (value, jacobian) = written
+                if not (
+                    len(out) in (2, 4)
+                    and (x.base is None or _apart(x, written))
+                    and (satellite_position.base is None or _apart(satellite_position, written))
+                    and (satellite_clock.base is None or _apart(satellite_clock, written))
+                    and (troposphere.base is None or _apart(troposphere, written))
+                    and (ionosphere.base is None or _apart(ionosphere, written))
+                    and value.dtype is _real
+                    and value.ndim == 1
+                    and len(value) == n
+                    and (flags := value.flags).carray
+                    and flags.owndata
+                    and value is not x
+                    and value is not satellite_clock
+                    and value is not troposphere
+                    and value is not ionosphere
+                    and jacobian.dtype is _real
+                    and jacobian.shape == (n, 4)
+                    and (flags := jacobian.flags).carray
+                    and flags.owndata
+                ):
+                    written = _pseudorange_function.given(
+                        out, (x, satellite_position, satellite_clock, troposphere, ionosphere), n
+                    )
+                    (value, jacobian) = written
             item_status = _empty(n, _byte)
             if not _pseudorange_entry(
                 _pointer(_reals, x),
@@ -154,22 +226,54 @@ def _pseudorange_without_sagnac_call(
 ) -> Any:
     try:
         if (
-            out is None
-            and not _other
+            not _other
             and (n := len(satellite_position)) <= 32
             and x.dtype is _real
-            and x.shape == (4,)
+            and x.ndim == 1
+            and len(x) == 4
             and satellite_position.dtype is _real
             and satellite_position.shape == (n, 3)
             and satellite_clock.dtype is _real
-            and satellite_clock.shape == (n,)
+            and satellite_clock.ndim == 1
+            and len(satellite_clock) == n
             and troposphere.dtype is _real
-            and troposphere.shape == (n,)
+            and troposphere.ndim == 1
+            and len(troposphere) == n
             and ionosphere.dtype is _real
-            and ionosphere.shape == (n,)
+            and ionosphere.ndim == 1
+            and len(ionosphere) == n
         ):
-            value = _empty(n)
-            jacobian = _empty((n, 4))
+            if out is None:
+                value = _empty(n)
+                jacobian = _empty((n, 4))
+            else:
+                written = out[:2]
+                (value, jacobian) = written
+                if not (
+                    len(out) in (2, 4)
+                    and (x.base is None or _apart(x, written))
+                    and (satellite_position.base is None or _apart(satellite_position, written))
+                    and (satellite_clock.base is None or _apart(satellite_clock, written))
+                    and (troposphere.base is None or _apart(troposphere, written))
+                    and (ionosphere.base is None or _apart(ionosphere, written))
+                    and value.dtype is _real
+                    and value.ndim == 1
+                    and len(value) == n
+                    and (flags := value.flags).carray
+                    and flags.owndata
+                    and value is not x
+                    and value is not satellite_clock
+                    and value is not troposphere
+                    and value is not ionosphere
+                    and jacobian.dtype is _real
+                    and jacobian.shape == (n, 4)
+                    and (flags := jacobian.flags).carray
+                    and flags.owndata
+                ):
+                    written = _pseudorange_without_sagnac_function.given(
+                        out, (x, satellite_position, satellite_clock, troposphere, ionosphere), n
+                    )
+                    (value, jacobian) = written
             item_status = _empty(n, _byte)
             if not _pseudorange_without_sagnac_entry(
                 _pointer(_reals, x),
@@ -233,8 +337,7 @@ def _broadcast_orbit_call(
 ) -> Any:
     try:
         if (
-            out is None
-            and not _other
+            not _other
             and type(time) is float
             and type(toe) is float
             and type(toc) is float
@@ -258,10 +361,39 @@ def _broadcast_orbit_call(
             and type(af2) is float
             and type(group_delay) is float
         ):
-            position = _empty(3)
-            clock = _empty(())
-            velocity = _empty(3)
-            clock_rate = _empty(())
+            if out is None:
+                position = _empty(3)
+                clock = _empty(())
+                velocity = _empty(3)
+                clock_rate = _empty(())
+            else:
+                written = out[:4]
+                (position, clock, velocity, clock_rate) = written
+                if not (
+                    len(out) in (4, 5)
+                    and position.dtype is _real
+                    and position.ndim == 1
+                    and len(position) == 3
+                    and (flags := position.flags).carray
+                    and flags.owndata
+                    and clock.dtype is _real
+                    and clock.shape == ()
+                    and (flags := clock.flags).carray
+                    and flags.owndata
+                    and velocity.dtype is _real
+                    and velocity.ndim == 1
+                    and len(velocity) == 3
+                    and (flags := velocity.flags).carray
+                    and flags.owndata
+                    and velocity is not position
+                    and clock_rate.dtype is _real
+                    and clock_rate.shape == ()
+                    and (flags := clock_rate.flags).carray
+                    and flags.owndata
+                    and clock_rate is not clock
+                ):
+                    written = _broadcast_orbit_function.given(out, ())
+                    (position, clock, velocity, clock_rate) = written
             if not _broadcast_orbit_entry(
                 _new(_reals, (time,)),
                 _new(_reals, (toe,)),

@@ -11,3 +11,5 @@ local: _Local
 pseudorange: _Pseudorange
 pseudorange_without_sagnac: _Pseudorange_Without_Sagnac
 broadcast_orbit: _Broadcast_Orbit
+
+def set_threads(count: int) -> None: ...

@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import casadi as casadi
 from . import native as native
 from . import numpy as numpy
+from ._lanes import Blocks as Blocks
 from ._runtime import GuardError as GuardError
 from ._runtime import Status as Status
 
@@ -59,7 +60,8 @@ class _Retract(Protocol):
         Notes
         -----
         Other forms, with the same arguments: ``retract.value`` (value), ``retract.bind`` (a call
-        without arguments over the same arrays).
+        without arguments over the same arrays), ``retract.blocks`` (epochs side by side, see
+        ``retract.to_lanes``).
         Source: the error conventions of the blocks.
         """
     def bind(
@@ -78,6 +80,27 @@ class _Retract(Protocol):
         d: ArrayLike,
         out: _Array | Sequence[_Array] | Mapping[str, _Array] | None = None,
     ) -> _Array: ...
+    lanes: int
+    def to_lanes(self, rows: ArrayLike) -> _Array: ...
+    def from_lanes(self, blocked: ArrayLike, epochs: int | None = None) -> _Array: ...
+    def blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        d: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Blocks: ...
+    def bind_blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        d: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Callable[[], Blocks]: ...
 
 retract: _Retract
 
@@ -127,7 +150,8 @@ class _Local(Protocol):
         Notes
         -----
         Other forms, with the same arguments: ``local.value`` (value), ``local.bind`` (a call
-        without arguments over the same arrays).
+        without arguments over the same arrays), ``local.blocks`` (epochs side by side, see
+        ``local.to_lanes``).
         Source: the error conventions of the blocks.
         """
     def bind(
@@ -146,6 +170,27 @@ class _Local(Protocol):
         y: ArrayLike,
         out: _Array | Sequence[_Array] | Mapping[str, _Array] | None = None,
     ) -> _Array: ...
+    lanes: int
+    def to_lanes(self, rows: ArrayLike) -> _Array: ...
+    def from_lanes(self, blocked: ArrayLike, epochs: int | None = None) -> _Array: ...
+    def blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        y: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Blocks: ...
+    def bind_blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        y: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Callable[[], Blocks]: ...
 
 local: _Local
 
@@ -197,7 +242,8 @@ class _Measurement(Protocol):
         -----
         Other forms, with the same arguments: ``measurement.value`` (value),
         ``measurement.jacobian`` (jacobian), ``measurement.nonzeros`` (what is not zero by
-        structure), ``measurement.bind`` (a call without arguments over the same arrays).
+        structure), ``measurement.bind`` (a call without arguments over the same arrays),
+        ``measurement.blocks`` (epochs side by side, see ``measurement.to_lanes``).
         The lever arm points from the body origin to the antenna, resolved in the body frame.
         C and R are used in the direction their declared maps and the frames of the vectors need.
         Source: WarpTwin GPSMeasurements documentation; ekf_cal documentation, GPS filtering.
@@ -230,6 +276,25 @@ class _Measurement(Protocol):
         *,
         out: _Array | Sequence[_Array] | Mapping[str, _Array] | None = None,
     ) -> _Array: ...
+    lanes: int
+    def to_lanes(self, rows: ArrayLike) -> _Array: ...
+    def from_lanes(self, blocked: ArrayLike, epochs: int | None = None) -> _Array: ...
+    def blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Blocks: ...
+    def bind_blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Callable[[], Blocks]: ...
 
 measurement: _Measurement
 
@@ -282,7 +347,8 @@ class _Measurement_By_Column(Protocol):
         Other forms, with the same arguments: ``measurement_by_column.value`` (value),
         ``measurement_by_column.jacobian`` (jacobian), ``measurement_by_column.nonzeros`` (what is
         not zero by structure), ``measurement_by_column.bind`` (a call without arguments over the
-        same arrays).
+        same arrays), ``measurement_by_column.blocks`` (epochs side by side, see
+        ``measurement_by_column.to_lanes``).
         The lever arm points from the body origin to the antenna, resolved in the body frame.
         C and R are used in the direction their declared maps and the frames of the vectors need.
         Source: WarpTwin GPSMeasurements documentation; ekf_cal documentation, GPS filtering.
@@ -315,6 +381,25 @@ class _Measurement_By_Column(Protocol):
         *,
         out: _Array | Sequence[_Array] | Mapping[str, _Array] | None = None,
     ) -> _Array: ...
+    lanes: int
+    def to_lanes(self, rows: ArrayLike) -> _Array: ...
+    def from_lanes(self, blocked: ArrayLike, epochs: int | None = None) -> _Array: ...
+    def blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Blocks: ...
+    def bind_blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Callable[[], Blocks]: ...
 
 measurement_by_column: _Measurement_By_Column
 
@@ -369,7 +454,8 @@ class _Observed(Protocol):
         -----
         Other forms, with the same arguments: ``observed.value`` (value), ``observed.jacobian``
         (jacobian), ``observed.nonzeros`` (what is not zero by structure), ``observed.bind`` (a call
-        without arguments over the same arrays).
+        without arguments over the same arrays), ``observed.blocks`` (epochs side by side, see
+        ``observed.to_lanes``).
         The lever arm points from the body origin to the antenna, resolved in the body frame.
         C and R are used in the direction their declared maps and the frames of the vectors need.
         Source: WarpTwin GPSMeasurements documentation; ekf_cal documentation, GPS filtering.
@@ -406,6 +492,27 @@ class _Observed(Protocol):
         observer_attitude: ArrayLike,
         out: _Array | Sequence[_Array] | Mapping[str, _Array] | None = None,
     ) -> _Array: ...
+    lanes: int
+    def to_lanes(self, rows: ArrayLike) -> _Array: ...
+    def from_lanes(self, blocked: ArrayLike, epochs: int | None = None) -> _Array: ...
+    def blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        observer_attitude: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Blocks: ...
+    def bind_blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        observer_attitude: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Callable[[], Blocks]: ...
 
 observed: _Observed
 
@@ -461,7 +568,8 @@ class _Observed_By_Column(Protocol):
         Other forms, with the same arguments: ``observed_by_column.value`` (value),
         ``observed_by_column.jacobian`` (jacobian), ``observed_by_column.nonzeros`` (what is not
         zero by structure), ``observed_by_column.bind`` (a call without arguments over the same
-        arrays).
+        arrays), ``observed_by_column.blocks`` (epochs side by side, see
+        ``observed_by_column.to_lanes``).
         The lever arm points from the body origin to the antenna, resolved in the body frame.
         C and R are used in the direction their declared maps and the frames of the vectors need.
         Source: WarpTwin GPSMeasurements documentation; ekf_cal documentation, GPS filtering.
@@ -498,6 +606,27 @@ class _Observed_By_Column(Protocol):
         observer_attitude: ArrayLike,
         out: _Array | Sequence[_Array] | Mapping[str, _Array] | None = None,
     ) -> _Array: ...
+    lanes: int
+    def to_lanes(self, rows: ArrayLike) -> _Array: ...
+    def from_lanes(self, blocked: ArrayLike, epochs: int | None = None) -> _Array: ...
+    def blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        observer_attitude: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Blocks: ...
+    def bind_blocks(
+        self,
+        x: ArrayLike,
+        /,
+        *,
+        observer_attitude: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Callable[[], Blocks]: ...
 
 observed_by_column: _Observed_By_Column
 
@@ -560,7 +689,8 @@ class _To_State_Frame(Protocol):
         Notes
         -----
         Other forms, with the same arguments: ``to_state_frame.value`` (value, value_covariance),
-        ``to_state_frame.bind`` (a call without arguments over the same arrays).
+        ``to_state_frame.bind`` (a call without arguments over the same arrays),
+        ``to_state_frame.blocks`` (epochs side by side, see ``to_state_frame.to_lanes``).
         The covariance leaves out the uncertainty of the attitude that rotates the lever arm; where
         the attitude is estimated, prefer gnss_position with a lever arm.
         Source: WarpTwin GPSMeasurements documentation, note on the measurement.
@@ -587,6 +717,33 @@ class _To_State_Frame(Protocol):
         covariance: ArrayLike,
         out: _Array | Sequence[_Array] | Mapping[str, _Array] | None = None,
     ) -> tuple[_Array, _Array]: ...
+    lanes: int
+    def to_lanes(self, rows: ArrayLike) -> _Array: ...
+    def from_lanes(self, blocked: ArrayLike, epochs: int | None = None) -> _Array: ...
+    def blocks(
+        self,
+        *,
+        observer_attitude: ArrayLike,
+        receiver_position: ArrayLike,
+        origin_offset: ArrayLike,
+        attitude: ArrayLike,
+        lever_arm: ArrayLike,
+        covariance: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Blocks: ...
+    def bind_blocks(
+        self,
+        *,
+        observer_attitude: ArrayLike,
+        receiver_position: ArrayLike,
+        origin_offset: ArrayLike,
+        attitude: ArrayLike,
+        lever_arm: ArrayLike,
+        covariance: ArrayLike,
+        epochs: int | None = None,
+        out: Blocks | Mapping[str, _Array] | None = None,
+    ) -> Callable[[], Blocks]: ...
 
 to_state_frame: _To_State_Frame
 

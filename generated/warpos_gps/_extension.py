@@ -9,9 +9,12 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Callable
+import operator
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from importlib.machinery import EXTENSION_SUFFIXES, ExtensionFileLoader
 from importlib.util import module_from_spec, spec_from_file_location
+from itertools import pairwise
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -21,6 +24,7 @@ import numpy as np
 from ._runtime import Array
 
 _BUILD = "_build.json"
+_LEAST = 512  # epochs that are worth a thread
 
 
 def load_extension(package: Path, key: str) -> ModuleType:
@@ -99,6 +103,10 @@ class Library:
         self.reals = self.ffi.typeof("double[]" if real == "float64" else "float[]")
         self.integers = self.ffi.typeof("int32_t[]")
         self.bytes = self.ffi.typeof("uint8_t[]")
+        self._kinds = {"f": self.reals, "i": self.integers, "u": self.bytes}
+        self._buffer = self.ffi.from_buffer
+        self._pool: ThreadPoolExecutor | None = None
+        self._threads = 1
 
     def entry(self, name: str) -> Callable[..., int]:
         """An entry point by its name without the prefix."""
@@ -107,5 +115,40 @@ class Library:
 
     def pointer(self, array: Array) -> Any:
         """The memory of a contiguous array, which stays alive with the pointer."""
-        kinds = {"i": self.integers, "u": self.bytes}
-        return self.ffi.from_buffer(kinds.get(array.dtype.kind, self.reals), array)
+        return self._buffer(self._kinds[array.dtype.kind], array)
+
+    def set_threads(self, count: int) -> None:
+        """Sets how many threads share the epochs of a batch; 1, the default, starts none.
+
+        Results are the same bits for any number. Calls that are bound keep what was set before.
+        """
+        number = operator.index(count)
+        if number < 1:
+            raise ValueError(f"set_threads: count = {number}, expected 1 or more")
+        if number != self._threads:
+            pool, self._threads = self._pool, number
+            self._pool = ThreadPoolExecutor(number) if number > 1 else None
+            if pool is not None:
+                pool.shutdown(wait=False)
+
+    def shares(self, parts: int, epochs: int = 1) -> list[tuple[int, int]]:
+        """First part and number of parts of every thread; few epochs are not shared.
+
+        Args:
+            parts: what is shared out.
+            epochs: how many epochs a part has.
+        """
+        if self._threads == 1:
+            return [(0, parts)]
+        count = min(self._threads, max(parts * epochs // _LEAST, 1))
+        ends = [parts * share // count for share in range(count + 1)]
+        return [(first, last - first) for first, last in pairwise(ends)]
+
+    def run(self, calls: Sequence[Callable[[], Any]]) -> None:
+        """Runs calls side by side; the C they call releases the interpreter."""
+        if len(calls) == 1 or self._pool is None:
+            for call in calls:
+                call()
+            return
+        for future in [self._pool.submit(call) for call in calls]:
+            future.result()

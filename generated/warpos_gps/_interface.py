@@ -130,7 +130,8 @@ RETRACT = Signature(
     Notes
     -----
     Other forms, with the same arguments: ``retract.value`` (value), ``retract.bind`` (a call
-    without arguments over the same arrays).
+    without arguments over the same arrays), ``retract.blocks`` (epochs side by side, see
+    ``retract.to_lanes``).
     Source: the error conventions of the blocks.
     """,
     RetractResult,
@@ -169,6 +170,7 @@ RETRACT = Signature(
         ),
     ),
     (Output("value", (15,), tuple(range(15))),),
+    lanes=32,
 )
 
 
@@ -207,7 +209,8 @@ LOCAL = Signature(
     Notes
     -----
     Other forms, with the same arguments: ``local.value`` (value), ``local.bind`` (a call
-    without arguments over the same arrays).
+    without arguments over the same arrays), ``local.blocks`` (epochs side by side, see
+    ``local.to_lanes``).
     Source: the error conventions of the blocks.
     """,
     LocalResult,
@@ -246,6 +249,7 @@ LOCAL = Signature(
         ),
     ),
     (Output("value", (15,), tuple(range(15))),),
+    lanes=32,
 )
 
 
@@ -284,7 +288,8 @@ MEASUREMENT = Signature(
     -----
     Other forms, with the same arguments: ``measurement.value`` (value),
     ``measurement.jacobian`` (jacobian), ``measurement.nonzeros`` (what is not zero by
-    structure), ``measurement.bind`` (a call without arguments over the same arrays).
+    structure), ``measurement.bind`` (a call without arguments over the same arrays),
+    ``measurement.blocks`` (epochs side by side, see ``measurement.to_lanes``).
     The lever arm points from the body origin to the antenna, resolved in the body frame.
     C and R are used in the direction their declared maps and the frames of the vectors need.
     Source: WarpTwin GPSMeasurements documentation; ekf_cal documentation, GPS filtering.
@@ -324,6 +329,7 @@ MEASUREMENT = Signature(
         ),
     ),
     (Output("value", (3,), (0, 1, 2)), Output("jacobian", (3, 15), (4, 20, 36))),
+    lanes=32,
 )
 
 
@@ -363,7 +369,8 @@ MEASUREMENT_BY_COLUMN = Signature(
     Other forms, with the same arguments: ``measurement_by_column.value`` (value),
     ``measurement_by_column.jacobian`` (jacobian), ``measurement_by_column.nonzeros`` (what is
     not zero by structure), ``measurement_by_column.bind`` (a call without arguments over the
-    same arrays).
+    same arrays), ``measurement_by_column.blocks`` (epochs side by side, see
+    ``measurement_by_column.to_lanes``).
     The lever arm points from the body origin to the antenna, resolved in the body frame.
     C and R are used in the direction their declared maps and the frames of the vectors need.
     Source: WarpTwin GPSMeasurements documentation; ekf_cal documentation, GPS filtering.
@@ -404,6 +411,7 @@ MEASUREMENT_BY_COLUMN = Signature(
     ),
     (Output("value", (3,), (0, 1, 2)), Output("jacobian", (3, 15), (4, 20, 36))),
     column_major=True,
+    lanes=32,
 )
 
 
@@ -444,7 +452,8 @@ OBSERVED = Signature(
     -----
     Other forms, with the same arguments: ``observed.value`` (value), ``observed.jacobian``
     (jacobian), ``observed.nonzeros`` (what is not zero by structure), ``observed.bind`` (a call
-    without arguments over the same arrays).
+    without arguments over the same arrays), ``observed.blocks`` (epochs side by side, see
+    ``observed.to_lanes``).
     The lever arm points from the body origin to the antenna, resolved in the body frame.
     C and R are used in the direction their declared maps and the frames of the vectors need.
     Source: WarpTwin GPSMeasurements documentation; ekf_cal documentation, GPS filtering.
@@ -505,6 +514,7 @@ OBSERVED = Signature(
         Output("value", (3,), (0, 1, 2)),
         Output("jacobian", (3, 15), (4, 5, 6, 19, 20, 21, 34, 35, 36)),
     ),
+    lanes=32,
 )
 
 
@@ -546,7 +556,8 @@ OBSERVED_BY_COLUMN = Signature(
     Other forms, with the same arguments: ``observed_by_column.value`` (value),
     ``observed_by_column.jacobian`` (jacobian), ``observed_by_column.nonzeros`` (what is not
     zero by structure), ``observed_by_column.bind`` (a call without arguments over the same
-    arrays).
+    arrays), ``observed_by_column.blocks`` (epochs side by side, see
+    ``observed_by_column.to_lanes``).
     The lever arm points from the body origin to the antenna, resolved in the body frame.
     C and R are used in the direction their declared maps and the frames of the vectors need.
     Source: WarpTwin GPSMeasurements documentation; ekf_cal documentation, GPS filtering.
@@ -608,6 +619,7 @@ OBSERVED_BY_COLUMN = Signature(
         Output("jacobian", (3, 15), (4, 5, 6, 19, 20, 21, 34, 35, 36)),
     ),
     column_major=True,
+    lanes=32,
 )
 
 
@@ -655,7 +667,8 @@ TO_STATE_FRAME = Signature(
     Notes
     -----
     Other forms, with the same arguments: ``to_state_frame.value`` (value, value_covariance),
-    ``to_state_frame.bind`` (a call without arguments over the same arrays).
+    ``to_state_frame.bind`` (a call without arguments over the same arrays),
+    ``to_state_frame.blocks`` (epochs side by side, see ``to_state_frame.to_lanes``).
     The covariance leaves out the uncertainty of the attitude that rotates the lever arm; where
     the attitude is estimated, prefer gnss_position with a lever arm.
     Source: WarpTwin GPSMeasurements documentation, note on the measurement.
@@ -768,6 +781,7 @@ TO_STATE_FRAME = Signature(
         ),
     ),
     (Output("value", (3,), (0, 1, 2)), Output("value_covariance", (9,), tuple(range(9)))),
+    lanes=32,
 )
 
 

@@ -15,9 +15,11 @@ from . import _calls, _compiled, _extension, _interface, _runtime
 
 _module = _extension.load_extension(Path(__file__).parent, "native")
 _library = _extension.Library(_module, "warpos_gps", "float64")
+set_threads = _library.set_threads
 _new = _library.ffi.new
 _pointer = _library.ffi.from_buffer
 _reals, _integers, _bytes = _library.reals, _library.integers, _library.bytes
+_apart = _compiled.apart
 _empty, _tuple = _np.empty, tuple.__new__
 _real, _integer, _byte = _library.real, _np.dtype(_np.int32), _np.dtype(_np.uint8)
 _OK = _runtime.Status.OK
@@ -31,14 +33,33 @@ _retract_entry = _library.entry("retract")
 def _retract_call(x: Any = None, /, *, d: Any = None, out: Any = None, **_other: Any) -> Any:
     try:
         if (
-            out is None
-            and not _other
+            not _other
             and x.dtype is _real
-            and x.shape == (15,)
+            and x.ndim == 1
+            and len(x) == 15
             and d.dtype is _real
-            and d.shape == (15,)
+            and d.ndim == 1
+            and len(d) == 15
         ):
-            value = _empty(15)
+            if out is None:
+                value = _empty(15)
+            else:
+                written = out[:1]
+                (value,) = written
+                if not (
+                    len(out) in (1, 2)
+                    and (x.base is None or _apart(x, written))
+                    and (d.base is None or _apart(d, written))
+                    and value.dtype is _real
+                    and value.ndim == 1
+                    and len(value) == 15
+                    and (flags := value.flags).carray
+                    and flags.owndata
+                    and value is not x
+                    and value is not d
+                ):
+                    written = _retract_function.given(out, (x, d))
+                    (value,) = written
             if not _retract_entry(
                 _pointer(_reals, x), _pointer(_reals, d), _pointer(_reals, value)
             ):
@@ -58,14 +79,33 @@ _local_entry = _library.entry("local")
 def _local_call(x: Any = None, /, *, y: Any = None, out: Any = None, **_other: Any) -> Any:
     try:
         if (
-            out is None
-            and not _other
+            not _other
             and x.dtype is _real
-            and x.shape == (15,)
+            and x.ndim == 1
+            and len(x) == 15
             and y.dtype is _real
-            and y.shape == (15,)
+            and y.ndim == 1
+            and len(y) == 15
         ):
-            value = _empty(15)
+            if out is None:
+                value = _empty(15)
+            else:
+                written = out[:1]
+                (value,) = written
+                if not (
+                    len(out) in (1, 2)
+                    and (x.base is None or _apart(x, written))
+                    and (y.base is None or _apart(y, written))
+                    and value.dtype is _real
+                    and value.ndim == 1
+                    and len(value) == 15
+                    and (flags := value.flags).carray
+                    and flags.owndata
+                    and value is not x
+                    and value is not y
+                ):
+                    written = _local_function.given(out, (x, y))
+                    (value,) = written
             if not _local_entry(_pointer(_reals, x), _pointer(_reals, y), _pointer(_reals, value)):
                 return _tuple(_interface.LocalResult, (value, _OK))
     except _UNFIT:
@@ -83,13 +123,32 @@ _measurement_entry = _library.entry("measurement")
 def _measurement_call(x: Any = None, /, *, out: Any = None, **_other: Any) -> Any:
     try:
         if (
-            out is None
-            and not _other
+            not _other
             and x.dtype is _real
-            and x.shape == (15,)
+            and x.ndim == 1
+            and len(x) == 15
         ):
-            value = _empty(3)
-            jacobian = _empty((3, 15))
+            if out is None:
+                value = _empty(3)
+                jacobian = _empty((3, 15))
+            else:
+                written = out[:2]
+                (value, jacobian) = written
+                if not (
+                    len(out) in (2, 3)
+                    and (x.base is None or _apart(x, written))
+                    and value.dtype is _real
+                    and value.ndim == 1
+                    and len(value) == 3
+                    and (flags := value.flags).carray
+                    and flags.owndata
+                    and jacobian.dtype is _real
+                    and jacobian.shape == (3, 15)
+                    and (flags := jacobian.flags).carray
+                    and flags.owndata
+                ):
+                    written = _measurement_function.given(out, (x,))
+                    (value, jacobian) = written
             if not _measurement_entry(
                 _pointer(_reals, x), _pointer(_reals, value), _pointer(_reals, jacobian)
             ):
@@ -117,15 +176,36 @@ def _observed_call(
 ) -> Any:
     try:
         if (
-            out is None
-            and not _other
+            not _other
             and x.dtype is _real
-            and x.shape == (15,)
+            and x.ndim == 1
+            and len(x) == 15
             and observer_attitude.dtype is _real
-            and observer_attitude.shape == (4,)
+            and observer_attitude.ndim == 1
+            and len(observer_attitude) == 4
         ):
-            value = _empty(3)
-            jacobian = _empty((3, 15))
+            if out is None:
+                value = _empty(3)
+                jacobian = _empty((3, 15))
+            else:
+                written = out[:2]
+                (value, jacobian) = written
+                if not (
+                    len(out) in (2, 3)
+                    and (x.base is None or _apart(x, written))
+                    and (observer_attitude.base is None or _apart(observer_attitude, written))
+                    and value.dtype is _real
+                    and value.ndim == 1
+                    and len(value) == 3
+                    and (flags := value.flags).carray
+                    and flags.owndata
+                    and jacobian.dtype is _real
+                    and jacobian.shape == (3, 15)
+                    and (flags := jacobian.flags).carray
+                    and flags.owndata
+                ):
+                    written = _observed_function.given(out, (x, observer_attitude))
+                    (value, jacobian) = written
             if not _observed_entry(
                 _pointer(_reals, x),
                 _pointer(_reals, observer_attitude),
@@ -162,23 +242,61 @@ def _to_state_frame_call(
 ) -> Any:
     try:
         if (
-            out is None
-            and not _other
+            not _other
             and observer_attitude.dtype is _real
-            and observer_attitude.shape == (4,)
+            and observer_attitude.ndim == 1
+            and len(observer_attitude) == 4
             and receiver_position.dtype is _real
-            and receiver_position.shape == (3,)
+            and receiver_position.ndim == 1
+            and len(receiver_position) == 3
             and origin_offset.dtype is _real
-            and origin_offset.shape == (3,)
+            and origin_offset.ndim == 1
+            and len(origin_offset) == 3
             and attitude.dtype is _real
-            and attitude.shape == (4,)
+            and attitude.ndim == 1
+            and len(attitude) == 4
             and lever_arm.dtype is _real
-            and lever_arm.shape == (3,)
+            and lever_arm.ndim == 1
+            and len(lever_arm) == 3
             and covariance.dtype is _real
-            and covariance.shape == (9,)
+            and covariance.ndim == 1
+            and len(covariance) == 9
         ):
-            value = _empty(3)
-            value_covariance = _empty(9)
+            if out is None:
+                value = _empty(3)
+                value_covariance = _empty(9)
+            else:
+                written = out[:2]
+                (value, value_covariance) = written
+                if not (
+                    len(out) in (2, 3)
+                    and (observer_attitude.base is None or _apart(observer_attitude, written))
+                    and (receiver_position.base is None or _apart(receiver_position, written))
+                    and (origin_offset.base is None or _apart(origin_offset, written))
+                    and (attitude.base is None or _apart(attitude, written))
+                    and (lever_arm.base is None or _apart(lever_arm, written))
+                    and (covariance.base is None or _apart(covariance, written))
+                    and value.dtype is _real
+                    and value.ndim == 1
+                    and len(value) == 3
+                    and (flags := value.flags).carray
+                    and flags.owndata
+                    and value is not receiver_position
+                    and value is not origin_offset
+                    and value is not lever_arm
+                    and value_covariance.dtype is _real
+                    and value_covariance.ndim == 1
+                    and len(value_covariance) == 9
+                    and (flags := value_covariance.flags).carray
+                    and flags.owndata
+                    and value_covariance is not covariance
+                ):
+                    written = _to_state_frame_function.given(
+                        out,
+                        (observer_attitude, receiver_position, origin_offset, attitude, lever_arm,
+                        covariance),
+                    )
+                    (value, value_covariance) = written
             if not _to_state_frame_entry(
                 _pointer(_reals, observer_attitude),
                 _pointer(_reals, receiver_position),

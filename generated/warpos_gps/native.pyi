@@ -15,3 +15,5 @@ measurement_by_column: _Measurement_By_Column
 observed: _Observed
 observed_by_column: _Observed_By_Column
 to_state_frame: _To_State_Frame
+
+def set_threads(count: int) -> None: ...

@@ -39,6 +39,7 @@ typedef struct {
 EKF_CAL_GPS_INLINE flag_t gps_load(
     const ekf_cal_gps_real_t x[],
     const ekf_cal_gps_real_t measured[],
+    int32_t stride,
     gps_input_t *in)
 {
     flag_t outside = 0U;
@@ -46,29 +47,51 @@ EKF_CAL_GPS_INLINE flag_t gps_load(
 
     /* position [m, in l] */
     outside |= take_centred(x[0], 1000000.0, &in->position_x);
-    outside |= take_centred(x[1], 1000000.0, &in->position_y);
-    outside |= take_centred(x[2], 1000000.0, &in->position_z);
+    outside |= take_centred(x[stride], 1000000.0, &in->position_y);
+    outside |= take_centred(x[2 * stride], 1000000.0, &in->position_z);
 
     /* attitude [b -> l] */
-    outside |= take_centred(x[9], 1.00001, &in->attitude_w);
-    outside |= take_centred(x[10], 1.00001, &in->attitude_x);
-    outside |= take_centred(x[11], 1.00001, &in->attitude_y);
-    outside |= take_centred(x[12], 1.00001, &in->attitude_z);
+    outside |= take_centred(x[9 * stride], 1.00001, &in->attitude_w);
+    outside |= take_centred(x[10 * stride], 1.00001, &in->attitude_x);
+    outside |= take_centred(x[11 * stride], 1.00001, &in->attitude_y);
+    outside |= take_centred(x[12 * stride], 1.00001, &in->attitude_z);
     skewed |= is_skewed_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z,
         1.0e-05);
 
     /* antenna [m, in b] */
-    outside |= take_centred(x[19], 50.0, &in->antenna_x);
-    outside |= take_centred(x[20], 50.0, &in->antenna_y);
-    outside |= take_centred(x[21], 50.0, &in->antenna_z);
+    outside |= take_centred(x[19 * stride], 50.0, &in->antenna_x);
+    outside |= take_centred(x[20 * stride], 50.0, &in->antenna_y);
+    outside |= take_centred(x[21 * stride], 50.0, &in->antenna_z);
 
     /* measured [m, in l] */
     outside |= take_centred(measured[0], 1000000000.0, &in->measured_x);
-    outside |= take_centred(measured[1], 1000000000.0, &in->measured_y);
-    outside |= take_centred(measured[2], 1000000000.0, &in->measured_z);
+    outside |= take_centred(measured[stride], 1000000000.0, &in->measured_y);
+    outside |= take_centred(measured[2 * stride], 1000000000.0, &in->measured_z);
 
     return (outside != 0U) ? (flag_t)EKF_CAL_GPS_RANGE :
         ((skewed != 0U) ? (flag_t)EKF_CAL_GPS_QNORM : (flag_t)EKF_CAL_GPS_OK);
+}
+
+/* Copy the inputs of one call that has passed its checks. */
+EKF_CAL_GPS_INLINE void gps_copy(
+    const ekf_cal_gps_real_t x[],
+    const ekf_cal_gps_real_t measured[],
+    int32_t stride,
+    gps_input_t *in)
+{
+    in->position_x = x[0];
+    in->position_y = x[stride];
+    in->position_z = x[2 * stride];
+    in->attitude_w = x[9 * stride];
+    in->attitude_x = x[10 * stride];
+    in->attitude_y = x[11 * stride];
+    in->attitude_z = x[12 * stride];
+    in->antenna_x = x[19 * stride];
+    in->antenna_y = x[20 * stride];
+    in->antenna_z = x[21 * stride];
+    in->measured_x = measured[0];
+    in->measured_y = measured[stride];
+    in->measured_z = measured[2 * stride];
 }
 
 /* Position of a GNSS antenna: values and structural non-zeros. */

@@ -9,17 +9,6 @@
 
 #include "ekf_cal_gps_gps_known_antenna_kernel.h"
 
-/* Epochs a batch evaluates side by side. */
-#define EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES 64
-
-/** Non-zeros of a block of epochs, each stored contiguously across the epochs. */
-typedef struct {
-    ekf_cal_gps_real_t value[3 * EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES];
-    ekf_cal_gps_real_t residual[3 * EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES];
-    ekf_cal_gps_real_t jacobian[12 * EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES];
-    flag_t status[EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES];
-} gps_known_antenna_block_t;
-
 /* Store the non-zeros of value, a stride apart. */
 EKF_CAL_GPS_INLINE void gps_known_antenna_put_value(
     const gps_known_antenna_output_t *out,
@@ -144,7 +133,7 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna(
         gps_known_antenna_input_t in;
         gps_known_antenna_output_t out;
 
-        status = (ekf_cal_gps_status_t)gps_known_antenna_load(x, lever_arm, measured, &in);
+        status = (ekf_cal_gps_status_t)gps_known_antenna_load(x, lever_arm, measured, 1, &in);
         if (status == EKF_CAL_GPS_OK) {
             status = (ekf_cal_gps_status_t)gps_known_antenna_kernel(&in, &out);
         }
@@ -171,7 +160,7 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_value(
         gps_known_antenna_input_t in;
         gps_known_antenna_output_t out;
 
-        status = (ekf_cal_gps_status_t)gps_known_antenna_load(x, lever_arm, measured, &in);
+        status = (ekf_cal_gps_status_t)gps_known_antenna_load(x, lever_arm, measured, 1, &in);
         if (status == EKF_CAL_GPS_OK) {
             status = (ekf_cal_gps_status_t)gps_known_antenna_kernel(&in, &out);
         }
@@ -195,7 +184,7 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_jacobian(
         gps_known_antenna_input_t in;
         gps_known_antenna_output_t out;
 
-        status = (ekf_cal_gps_status_t)gps_known_antenna_load(x, lever_arm, measured, &in);
+        status = (ekf_cal_gps_status_t)gps_known_antenna_load(x, lever_arm, measured, 1, &in);
         if (status == EKF_CAL_GPS_OK) {
             status = (ekf_cal_gps_status_t)gps_known_antenna_kernel(&in, &out);
         }
@@ -221,7 +210,7 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_nz(
         gps_known_antenna_input_t in;
         gps_known_antenna_output_t out;
 
-        status = (ekf_cal_gps_status_t)gps_known_antenna_load(x, lever_arm, measured, &in);
+        status = (ekf_cal_gps_status_t)gps_known_antenna_load(x, lever_arm, measured, 1, &in);
         if (status == EKF_CAL_GPS_OK) {
             status = (ekf_cal_gps_status_t)gps_known_antenna_kernel(&in, &out);
         }
@@ -234,29 +223,143 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_nz(
     return status;
 }
 
-/* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static EKF_CAL_GPS_WIDE void gps_known_antenna_lanes(
+/* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
+static EKF_CAL_GPS_WIDE flag_t gps_known_antenna_check_lanes(
     int32_t count,
-    const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT], ptrdiff_t x_step,
-    const ekf_cal_gps_real_t lever_arm[EKF_CAL_GPS_RESTRICT], ptrdiff_t lever_arm_step,
-    const ekf_cal_gps_real_t measured[EKF_CAL_GPS_RESTRICT], ptrdiff_t measured_step,
-    gps_known_antenna_block_t *EKF_CAL_GPS_RESTRICT block)
+    const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t lever_arm[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t measured[EKF_CAL_GPS_RESTRICT],
+    flag_t codes[EKF_CAL_GPS_RESTRICT EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES])
+{
+    flag_t failed = 0U;
+
+    EKF_CAL_GPS_IVDEP
+    for (int32_t lane = 0; lane < count; ++lane) {
+        gps_known_antenna_input_t in;
+        gps_known_antenna_output_t out;
+        const flag_t loaded = gps_known_antenna_load(&x[lane], &lever_arm[lane], &measured[lane],
+            EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES, &in);
+        const flag_t evaluated = gps_known_antenna_kernel(&in, &out);
+
+        codes[lane] = first_failure(loaded, evaluated);
+        failed |= codes[lane];
+    }
+    return failed;
+}
+
+/* Evaluate epochs side by side that have passed their checks. */
+static EKF_CAL_GPS_WIDE void gps_known_antenna_evaluate_lanes(
+    int32_t count,
+    const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t lever_arm[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t measured[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t value[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t residual[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t jacobian_nz[EKF_CAL_GPS_RESTRICT])
 {
     EKF_CAL_GPS_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         gps_known_antenna_input_t in;
         gps_known_antenna_output_t out;
-        const flag_t loaded = gps_known_antenna_load(&x[lane * x_step],
-            &lever_arm[lane * lever_arm_step], &measured[lane * measured_step], &in);
-        const flag_t evaluated = gps_known_antenna_kernel(&in, &out);
 
-        block->status[lane] = first_failure(loaded, evaluated);
-        gps_known_antenna_put_value(&out, EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES, &block->value[lane]);
-        gps_known_antenna_put_residual(&out, EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES,
-            &block->residual[lane]);
+        gps_known_antenna_copy(&x[lane], &lever_arm[lane], &measured[lane],
+            EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES, &in);
+        (void)gps_known_antenna_kernel(&in, &out);
+        gps_known_antenna_put_value(&out, EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES, &value[lane]);
+        gps_known_antenna_put_residual(&out, EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES, &residual[lane]);
         gps_known_antenna_put_jacobian(&out, EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES,
-            &block->jacobian[lane]);
+            &jacobian_nz[lane]);
     }
+}
+
+/* One block: outputs of lanes that fail stay as they are. */
+static ekf_cal_gps_status_t gps_known_antenna_block(
+    int32_t count,
+    const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t lever_arm[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t measured[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t value[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t residual[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t jacobian_nz[EKF_CAL_GPS_RESTRICT],
+    uint8_t status[EKF_CAL_GPS_RESTRICT])
+{
+    flag_t codes[EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES];
+    const flag_t failed = gps_known_antenna_check_lanes(count, x, lever_arm, measured, codes);
+
+    for (int32_t lane = 0; lane < count; ++lane) {
+        status[lane] = (uint8_t)codes[lane];
+    }
+    if (failed == (flag_t)EKF_CAL_GPS_OK) {
+        gps_known_antenna_evaluate_lanes(count, x, lever_arm, measured, value, residual,
+            jacobian_nz);
+    } else {
+        for (int32_t lane = 0; lane < count; ++lane) {
+            if (codes[lane] == (flag_t)EKF_CAL_GPS_OK) {
+                gps_known_antenna_evaluate_lanes(1, &x[lane], &lever_arm[lane], &measured[lane],
+                    &value[lane], &residual[lane], &jacobian_nz[lane]);
+            }
+        }
+    }
+    return (failed == (flag_t)EKF_CAL_GPS_OK) ? EKF_CAL_GPS_OK : EKF_CAL_GPS_PARTIAL;
+}
+
+ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_blocks(
+    int32_t epochs,
+    const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t lever_arm[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t measured[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t value[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t residual[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t jacobian_nz[EKF_CAL_GPS_RESTRICT],
+    uint8_t status[EKF_CAL_GPS_RESTRICT])
+{
+    ekf_cal_gps_status_t result = EKF_CAL_GPS_NULL;
+
+    if ((x != NULL) && (lever_arm != NULL) && (measured != NULL) && (value != NULL) &&
+        (residual != NULL) && (jacobian_nz != NULL) && (status != NULL)) {
+        result = (epochs < 0) ? EKF_CAL_GPS_COUNT : EKF_CAL_GPS_OK;
+        for (ptrdiff_t first = 0; first < epochs; first += EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES) {
+            const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES) ? (int32_t)rest :
+                EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES;
+            const ekf_cal_gps_status_t outcome = gps_known_antenna_block(count, &x[22 * first],
+                &lever_arm[3 * first], &measured[3 * first], &value[3 * first],
+                &residual[3 * first], &jacobian_nz[12 * first], &status[first]);
+
+            result = (outcome == EKF_CAL_GPS_OK) ? result : outcome;
+        }
+    }
+    return result;
+}
+
+/** A block of epochs. */
+typedef struct {
+    ekf_cal_gps_real_t x[22 * EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES];
+    ekf_cal_gps_real_t lever_arm[3 * EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES];
+    ekf_cal_gps_real_t measured[3 * EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES];
+    ekf_cal_gps_real_t value[3 * EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES];
+    ekf_cal_gps_real_t residual[3 * EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES];
+    ekf_cal_gps_real_t jacobian_nz[12 * EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES];
+} gps_known_antenna_block_t;
+
+/* Lay rows of epochs side by side. */
+static void gps_known_antenna_gather(
+    int32_t count,
+    const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT],
+    ptrdiff_t x_step,
+    const ekf_cal_gps_real_t lever_arm[EKF_CAL_GPS_RESTRICT],
+    ptrdiff_t lever_arm_step,
+    const ekf_cal_gps_real_t measured[EKF_CAL_GPS_RESTRICT],
+    ptrdiff_t measured_step,
+    gps_known_antenna_block_t *EKF_CAL_GPS_RESTRICT block)
+{
+    rows_to_lanes(count, x, x_step, 3, EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES, block->x);
+    rows_to_lanes(count, &x[9], x_step, 4, EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES,
+        &block->x[9 * EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES]);
+    rows_to_lanes(count, lever_arm, lever_arm_step, 3, EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES,
+        block->lever_arm);
+    rows_to_lanes(count, measured, measured_step, 3, EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES,
+        block->measured);
 }
 
 ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_batch(
@@ -277,32 +380,75 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_batch(
     if ((x != NULL) && (lever_arm != NULL) && (measured != NULL) && (value != NULL) &&
         (residual != NULL) && (jacobian != NULL) && (status != NULL)) {
         gps_known_antenna_block_t block;
-        int32_t count;
 
         result = (epochs < 0) ? EKF_CAL_GPS_COUNT : EKF_CAL_GPS_OK;
-        for (ptrdiff_t first = 0; first < epochs; first += count) {
+        for (ptrdiff_t first = 0; first < epochs; first += EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES) {
             const ptrdiff_t rest = epochs - first;
-
-            count = (rest < EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES) ? (int32_t)rest :
+            const int32_t count = (rest < EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES) ? (int32_t)rest :
                 EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES;
-                gps_known_antenna_lanes(count, &x[first * x_step], x_step,
-                    &lever_arm[first * lever_arm_step], lever_arm_step,
-                    &measured[first * measured_step], measured_step, &block);
-            for (int32_t lane = 0; lane < count; ++lane) {
-                const ptrdiff_t epoch = first + lane;
 
-                status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)EKF_CAL_GPS_OK) {
-                    gps_known_antenna_fill_value(&block.value[lane],
-                        EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES, &value[3 * epoch]);
-                    gps_known_antenna_fill_residual(&block.residual[lane],
-                        EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES, &residual[3 * epoch]);
-                    gps_known_antenna_fill_jacobian(&block.jacobian[lane],
-                        EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES, &jacobian[63 * epoch]);
-                } else {
-                    result = EKF_CAL_GPS_PARTIAL;
+            gps_known_antenna_gather(count, &x[first * x_step], x_step,
+                &lever_arm[first * lever_arm_step], lever_arm_step,
+                &measured[first * measured_step], measured_step, &block);
+            const ekf_cal_gps_status_t outcome = gps_known_antenna_block(count, block.x,
+                block.lever_arm, block.measured, block.value, block.residual, block.jacobian_nz,
+                &status[first]);
+
+            result = (outcome == EKF_CAL_GPS_OK) ? result : outcome;
+            lanes_to_rows(count, &status[first], block.value, 3,
+                EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES, &value[3 * first]);
+            lanes_to_rows(count, &status[first], block.residual, 3,
+                EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES, &residual[3 * first]);
+            for (int32_t lane = 0; lane < count; ++lane) {
+                if (status[first + lane] == (uint8_t)EKF_CAL_GPS_OK) {
+                    gps_known_antenna_fill_jacobian(&block.jacobian_nz[lane],
+                        EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES, &jacobian[63 * (first + lane)]);
                 }
             }
+        }
+    }
+    return result;
+}
+
+ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_batch_nz(
+    int32_t epochs,
+    const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT],
+    int32_t x_step,
+    const ekf_cal_gps_real_t lever_arm[EKF_CAL_GPS_RESTRICT],
+    int32_t lever_arm_step,
+    const ekf_cal_gps_real_t measured[EKF_CAL_GPS_RESTRICT],
+    int32_t measured_step,
+    ekf_cal_gps_real_t value[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t residual[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t jacobian_nz[EKF_CAL_GPS_RESTRICT],
+    uint8_t status[EKF_CAL_GPS_RESTRICT])
+{
+    ekf_cal_gps_status_t result = EKF_CAL_GPS_NULL;
+
+    if ((x != NULL) && (lever_arm != NULL) && (measured != NULL) && (value != NULL) &&
+        (residual != NULL) && (jacobian_nz != NULL) && (status != NULL)) {
+        gps_known_antenna_block_t block;
+
+        result = (epochs < 0) ? EKF_CAL_GPS_COUNT : EKF_CAL_GPS_OK;
+        for (ptrdiff_t first = 0; first < epochs; first += EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES) {
+            const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES) ? (int32_t)rest :
+                EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES;
+
+            gps_known_antenna_gather(count, &x[first * x_step], x_step,
+                &lever_arm[first * lever_arm_step], lever_arm_step,
+                &measured[first * measured_step], measured_step, &block);
+            const ekf_cal_gps_status_t outcome = gps_known_antenna_block(count, block.x,
+                block.lever_arm, block.measured, block.value, block.residual, block.jacobian_nz,
+                &status[first]);
+
+            result = (outcome == EKF_CAL_GPS_OK) ? result : outcome;
+            lanes_to_rows(count, &status[first], block.value, 3,
+                EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES, &value[3 * first]);
+            lanes_to_rows(count, &status[first], block.residual, 3,
+                EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES, &residual[3 * first]);
+            lanes_to_rows(count, &status[first], block.jacobian_nz, 12,
+                EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES, &jacobian_nz[12 * first]);
         }
     }
     return result;

@@ -9,15 +9,6 @@
 
 #include "ekf_cal_gps_local_kernel.h"
 
-/* Epochs a batch evaluates side by side. */
-#define EKF_CAL_GPS_LOCAL_LANES 64
-
-/** Non-zeros of a block of epochs, each stored contiguously across the epochs. */
-typedef struct {
-    ekf_cal_gps_real_t value[21 * EKF_CAL_GPS_LOCAL_LANES];
-    flag_t status[EKF_CAL_GPS_LOCAL_LANES];
-} local_block_t;
-
 /* Store the non-zeros of value, a stride apart. */
 EKF_CAL_GPS_INLINE void local_put_value(
     const local_output_t *out,
@@ -87,7 +78,7 @@ ekf_cal_gps_status_t ekf_cal_gps_local(
         local_input_t in;
         local_output_t out;
 
-        status = (ekf_cal_gps_status_t)local_load(x, y, &in);
+        status = (ekf_cal_gps_status_t)local_load(x, y, 1, &in);
         if (status == EKF_CAL_GPS_OK) {
             status = (ekf_cal_gps_status_t)local_kernel(&in, &out);
         }
@@ -98,23 +89,114 @@ ekf_cal_gps_status_t ekf_cal_gps_local(
     return status;
 }
 
-/* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static EKF_CAL_GPS_WIDE void local_lanes(
+/* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
+static EKF_CAL_GPS_WIDE flag_t local_check_lanes(
     int32_t count,
-    const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT], ptrdiff_t x_step,
-    const ekf_cal_gps_real_t y[EKF_CAL_GPS_RESTRICT], ptrdiff_t y_step,
-    local_block_t *EKF_CAL_GPS_RESTRICT block)
+    const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t y[EKF_CAL_GPS_RESTRICT],
+    flag_t codes[EKF_CAL_GPS_RESTRICT EKF_CAL_GPS_LOCAL_LANES])
+{
+    flag_t failed = 0U;
+
+    EKF_CAL_GPS_IVDEP
+    for (int32_t lane = 0; lane < count; ++lane) {
+        local_input_t in;
+        local_output_t out;
+        const flag_t loaded = local_load(&x[lane], &y[lane], EKF_CAL_GPS_LOCAL_LANES, &in);
+        const flag_t evaluated = local_kernel(&in, &out);
+
+        codes[lane] = first_failure(loaded, evaluated);
+        failed |= codes[lane];
+    }
+    return failed;
+}
+
+/* Evaluate epochs side by side that have passed their checks. */
+static EKF_CAL_GPS_WIDE void local_evaluate_lanes(
+    int32_t count,
+    const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t y[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t value[EKF_CAL_GPS_RESTRICT])
 {
     EKF_CAL_GPS_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         local_input_t in;
         local_output_t out;
-        const flag_t loaded = local_load(&x[lane * x_step], &y[lane * y_step], &in);
-        const flag_t evaluated = local_kernel(&in, &out);
 
-        block->status[lane] = first_failure(loaded, evaluated);
-        local_put_value(&out, EKF_CAL_GPS_LOCAL_LANES, &block->value[lane]);
+        local_copy(&x[lane], &y[lane], EKF_CAL_GPS_LOCAL_LANES, &in);
+        (void)local_kernel(&in, &out);
+        local_put_value(&out, EKF_CAL_GPS_LOCAL_LANES, &value[lane]);
     }
+}
+
+/* One block: outputs of lanes that fail stay as they are. */
+static ekf_cal_gps_status_t local_block(
+    int32_t count,
+    const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t y[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t value[EKF_CAL_GPS_RESTRICT],
+    uint8_t status[EKF_CAL_GPS_RESTRICT])
+{
+    flag_t codes[EKF_CAL_GPS_LOCAL_LANES];
+    const flag_t failed = local_check_lanes(count, x, y, codes);
+
+    for (int32_t lane = 0; lane < count; ++lane) {
+        status[lane] = (uint8_t)codes[lane];
+    }
+    if (failed == (flag_t)EKF_CAL_GPS_OK) {
+        local_evaluate_lanes(count, x, y, value);
+    } else {
+        for (int32_t lane = 0; lane < count; ++lane) {
+            if (codes[lane] == (flag_t)EKF_CAL_GPS_OK) {
+                local_evaluate_lanes(1, &x[lane], &y[lane], &value[lane]);
+            }
+        }
+    }
+    return (failed == (flag_t)EKF_CAL_GPS_OK) ? EKF_CAL_GPS_OK : EKF_CAL_GPS_PARTIAL;
+}
+
+ekf_cal_gps_status_t ekf_cal_gps_local_blocks(
+    int32_t epochs,
+    const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t y[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t value[EKF_CAL_GPS_RESTRICT],
+    uint8_t status[EKF_CAL_GPS_RESTRICT])
+{
+    ekf_cal_gps_status_t result = EKF_CAL_GPS_NULL;
+
+    if ((x != NULL) && (y != NULL) && (value != NULL) && (status != NULL)) {
+        result = (epochs < 0) ? EKF_CAL_GPS_COUNT : EKF_CAL_GPS_OK;
+        for (ptrdiff_t first = 0; first < epochs; first += EKF_CAL_GPS_LOCAL_LANES) {
+            const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < EKF_CAL_GPS_LOCAL_LANES) ? (int32_t)rest :
+                EKF_CAL_GPS_LOCAL_LANES;
+            const ekf_cal_gps_status_t outcome = local_block(count, &x[22 * first], &y[22 * first],
+                &value[21 * first], &status[first]);
+
+            result = (outcome == EKF_CAL_GPS_OK) ? result : outcome;
+        }
+    }
+    return result;
+}
+
+/** A block of epochs. */
+typedef struct {
+    ekf_cal_gps_real_t x[22 * EKF_CAL_GPS_LOCAL_LANES];
+    ekf_cal_gps_real_t y[22 * EKF_CAL_GPS_LOCAL_LANES];
+    ekf_cal_gps_real_t value[21 * EKF_CAL_GPS_LOCAL_LANES];
+} local_block_t;
+
+/* Lay rows of epochs side by side. */
+static void local_gather(
+    int32_t count,
+    const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT],
+    ptrdiff_t x_step,
+    const ekf_cal_gps_real_t y[EKF_CAL_GPS_RESTRICT],
+    ptrdiff_t y_step,
+    local_block_t *EKF_CAL_GPS_RESTRICT block)
+{
+    rows_to_lanes(count, x, x_step, 22, EKF_CAL_GPS_LOCAL_LANES, block->x);
+    rows_to_lanes(count, y, y_step, 22, EKF_CAL_GPS_LOCAL_LANES, block->y);
 }
 
 ekf_cal_gps_status_t ekf_cal_gps_local_batch(
@@ -130,25 +212,20 @@ ekf_cal_gps_status_t ekf_cal_gps_local_batch(
 
     if ((x != NULL) && (y != NULL) && (value != NULL) && (status != NULL)) {
         local_block_t block;
-        int32_t count;
 
         result = (epochs < 0) ? EKF_CAL_GPS_COUNT : EKF_CAL_GPS_OK;
-        for (ptrdiff_t first = 0; first < epochs; first += count) {
+        for (ptrdiff_t first = 0; first < epochs; first += EKF_CAL_GPS_LOCAL_LANES) {
             const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < EKF_CAL_GPS_LOCAL_LANES) ? (int32_t)rest :
+                EKF_CAL_GPS_LOCAL_LANES;
 
-            count = (rest < EKF_CAL_GPS_LOCAL_LANES) ? (int32_t)rest : EKF_CAL_GPS_LOCAL_LANES;
-                local_lanes(count, &x[first * x_step], x_step, &y[first * y_step], y_step, &block);
-            for (int32_t lane = 0; lane < count; ++lane) {
-                const ptrdiff_t epoch = first + lane;
+            local_gather(count, &x[first * x_step], x_step, &y[first * y_step], y_step, &block);
+            const ekf_cal_gps_status_t outcome =
+                local_block(count, block.x, block.y, block.value, &status[first]);
 
-                status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)EKF_CAL_GPS_OK) {
-                    local_fill_value(&block.value[lane], EKF_CAL_GPS_LOCAL_LANES,
-                        &value[21 * epoch]);
-                } else {
-                    result = EKF_CAL_GPS_PARTIAL;
-                }
-            }
+            result = (outcome == EKF_CAL_GPS_OK) ? result : outcome;
+            lanes_to_rows(count, &status[first], block.value, 21, EKF_CAL_GPS_LOCAL_LANES,
+                &value[21 * first]);
         }
     }
     return result;

@@ -9,17 +9,6 @@
 
 #include "ekf_cal_gps_local_fix_kernel.h"
 
-/* Epochs a batch evaluates side by side. */
-#define EKF_CAL_GPS_LOCAL_FIX_LANES 64
-
-/** Non-zeros of a block of epochs, each stored contiguously across the epochs. */
-typedef struct {
-    ekf_cal_gps_real_t value[3 * EKF_CAL_GPS_LOCAL_FIX_LANES];
-    ekf_cal_gps_real_t jacobian_fix[9 * EKF_CAL_GPS_LOCAL_FIX_LANES];
-    ekf_cal_gps_real_t value_covariance[9 * EKF_CAL_GPS_LOCAL_FIX_LANES];
-    flag_t status[EKF_CAL_GPS_LOCAL_FIX_LANES];
-} local_fix_block_t;
-
 /* Store the non-zeros of value, a stride apart. */
 EKF_CAL_GPS_INLINE void local_fix_put_value(
     const local_fix_output_t *out,
@@ -126,7 +115,8 @@ ekf_cal_gps_status_t ekf_cal_gps_local_fix(
         local_fix_input_t in;
         local_fix_output_t out;
 
-        status = (ekf_cal_gps_status_t)local_fix_load(heading, fix, reference_2, covariance_2, &in);
+        status =
+            (ekf_cal_gps_status_t)local_fix_load(heading, fix, reference_2, covariance_2, 1, &in);
         if (status == EKF_CAL_GPS_OK) {
             status = (ekf_cal_gps_status_t)local_fix_kernel(&in, &out);
         }
@@ -154,7 +144,8 @@ ekf_cal_gps_status_t ekf_cal_gps_local_fix_value(
         local_fix_input_t in;
         local_fix_output_t out;
 
-        status = (ekf_cal_gps_status_t)local_fix_load(heading, fix, reference_2, covariance_2, &in);
+        status =
+            (ekf_cal_gps_status_t)local_fix_load(heading, fix, reference_2, covariance_2, 1, &in);
         if (status == EKF_CAL_GPS_OK) {
             status = (ekf_cal_gps_status_t)local_fix_kernel(&in, &out);
         }
@@ -180,7 +171,8 @@ ekf_cal_gps_status_t ekf_cal_gps_local_fix_jacobian(
         local_fix_input_t in;
         local_fix_output_t out;
 
-        status = (ekf_cal_gps_status_t)local_fix_load(heading, fix, reference_2, covariance_2, &in);
+        status =
+            (ekf_cal_gps_status_t)local_fix_load(heading, fix, reference_2, covariance_2, 1, &in);
         if (status == EKF_CAL_GPS_OK) {
             status = (ekf_cal_gps_status_t)local_fix_kernel(&in, &out);
         }
@@ -207,7 +199,8 @@ ekf_cal_gps_status_t ekf_cal_gps_local_fix_nz(
         local_fix_input_t in;
         local_fix_output_t out;
 
-        status = (ekf_cal_gps_status_t)local_fix_load(heading, fix, reference_2, covariance_2, &in);
+        status =
+            (ekf_cal_gps_status_t)local_fix_load(heading, fix, reference_2, covariance_2, 1, &in);
         if (status == EKF_CAL_GPS_OK) {
             status = (ekf_cal_gps_status_t)local_fix_kernel(&in, &out);
         }
@@ -220,29 +213,152 @@ ekf_cal_gps_status_t ekf_cal_gps_local_fix_nz(
     return status;
 }
 
-/* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static EKF_CAL_GPS_WIDE void local_fix_lanes(
+/* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
+static EKF_CAL_GPS_WIDE flag_t local_fix_check_lanes(
     int32_t count,
-    const ekf_cal_gps_real_t heading[EKF_CAL_GPS_RESTRICT], ptrdiff_t heading_step,
-    const ekf_cal_gps_real_t fix[EKF_CAL_GPS_RESTRICT], ptrdiff_t fix_step,
-    const ekf_cal_gps_real_t reference_2[EKF_CAL_GPS_RESTRICT], ptrdiff_t reference_2_step,
-    const ekf_cal_gps_real_t covariance_2[EKF_CAL_GPS_RESTRICT], ptrdiff_t covariance_2_step,
-    local_fix_block_t *EKF_CAL_GPS_RESTRICT block)
+    const ekf_cal_gps_real_t heading[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t fix[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t reference_2[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t covariance_2[EKF_CAL_GPS_RESTRICT],
+    flag_t codes[EKF_CAL_GPS_RESTRICT EKF_CAL_GPS_LOCAL_FIX_LANES])
+{
+    flag_t failed = 0U;
+
+    EKF_CAL_GPS_IVDEP
+    for (int32_t lane = 0; lane < count; ++lane) {
+        local_fix_input_t in;
+        local_fix_output_t out;
+        const flag_t loaded = local_fix_load(&heading[lane], &fix[lane], &reference_2[lane],
+            &covariance_2[lane], EKF_CAL_GPS_LOCAL_FIX_LANES, &in);
+        const flag_t evaluated = local_fix_kernel(&in, &out);
+
+        codes[lane] = first_failure(loaded, evaluated);
+        failed |= codes[lane];
+    }
+    return failed;
+}
+
+/* Evaluate epochs side by side that have passed their checks. */
+static EKF_CAL_GPS_WIDE void local_fix_evaluate_lanes(
+    int32_t count,
+    const ekf_cal_gps_real_t heading[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t fix[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t reference_2[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t covariance_2[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t value[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t jacobian_fix_nz[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t value_covariance[EKF_CAL_GPS_RESTRICT])
 {
     EKF_CAL_GPS_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         local_fix_input_t in;
         local_fix_output_t out;
-        const flag_t loaded = local_fix_load(&heading[lane * heading_step], &fix[lane * fix_step],
-            &reference_2[lane * reference_2_step], &covariance_2[lane * covariance_2_step], &in);
-        const flag_t evaluated = local_fix_kernel(&in, &out);
 
-        block->status[lane] = first_failure(loaded, evaluated);
-        local_fix_put_value(&out, EKF_CAL_GPS_LOCAL_FIX_LANES, &block->value[lane]);
-        local_fix_put_jacobian_fix(&out, EKF_CAL_GPS_LOCAL_FIX_LANES, &block->jacobian_fix[lane]);
-        local_fix_put_value_covariance(&out, EKF_CAL_GPS_LOCAL_FIX_LANES,
-            &block->value_covariance[lane]);
+        local_fix_copy(&heading[lane], &fix[lane], &reference_2[lane], &covariance_2[lane],
+            EKF_CAL_GPS_LOCAL_FIX_LANES, &in);
+        (void)local_fix_kernel(&in, &out);
+        local_fix_put_value(&out, EKF_CAL_GPS_LOCAL_FIX_LANES, &value[lane]);
+        local_fix_put_jacobian_fix(&out, EKF_CAL_GPS_LOCAL_FIX_LANES, &jacobian_fix_nz[lane]);
+        local_fix_put_value_covariance(&out, EKF_CAL_GPS_LOCAL_FIX_LANES, &value_covariance[lane]);
     }
+}
+
+/* One block: outputs of lanes that fail stay as they are. */
+static ekf_cal_gps_status_t local_fix_block(
+    int32_t count,
+    const ekf_cal_gps_real_t heading[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t fix[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t reference_2[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t covariance_2[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t value[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t jacobian_fix_nz[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t value_covariance[EKF_CAL_GPS_RESTRICT],
+    uint8_t status[EKF_CAL_GPS_RESTRICT])
+{
+    flag_t codes[EKF_CAL_GPS_LOCAL_FIX_LANES];
+    const flag_t failed =
+        local_fix_check_lanes(count, heading, fix, reference_2, covariance_2, codes);
+
+    for (int32_t lane = 0; lane < count; ++lane) {
+        status[lane] = (uint8_t)codes[lane];
+    }
+    if (failed == (flag_t)EKF_CAL_GPS_OK) {
+        local_fix_evaluate_lanes(count, heading, fix, reference_2, covariance_2, value,
+            jacobian_fix_nz, value_covariance);
+    } else {
+        for (int32_t lane = 0; lane < count; ++lane) {
+            if (codes[lane] == (flag_t)EKF_CAL_GPS_OK) {
+                local_fix_evaluate_lanes(1, &heading[lane], &fix[lane], &reference_2[lane],
+                    &covariance_2[lane], &value[lane], &jacobian_fix_nz[lane],
+                    &value_covariance[lane]);
+            }
+        }
+    }
+    return (failed == (flag_t)EKF_CAL_GPS_OK) ? EKF_CAL_GPS_OK : EKF_CAL_GPS_PARTIAL;
+}
+
+ekf_cal_gps_status_t ekf_cal_gps_local_fix_blocks(
+    int32_t epochs,
+    const ekf_cal_gps_real_t heading[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t fix[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t reference_2[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t covariance_2[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t value[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t jacobian_fix_nz[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t value_covariance[EKF_CAL_GPS_RESTRICT],
+    uint8_t status[EKF_CAL_GPS_RESTRICT])
+{
+    ekf_cal_gps_status_t result = EKF_CAL_GPS_NULL;
+
+    if ((heading != NULL) && (fix != NULL) && (reference_2 != NULL) && (covariance_2 != NULL) &&
+        (value != NULL) && (jacobian_fix_nz != NULL) && (value_covariance != NULL) &&
+        (status != NULL)) {
+        result = (epochs < 0) ? EKF_CAL_GPS_COUNT : EKF_CAL_GPS_OK;
+        for (ptrdiff_t first = 0; first < epochs; first += EKF_CAL_GPS_LOCAL_FIX_LANES) {
+            const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < EKF_CAL_GPS_LOCAL_FIX_LANES) ? (int32_t)rest :
+                EKF_CAL_GPS_LOCAL_FIX_LANES;
+            const ekf_cal_gps_status_t outcome = local_fix_block(count, &heading[first],
+                &fix[3 * first], &reference_2[3 * first], &covariance_2[9 * first],
+                &value[3 * first], &jacobian_fix_nz[9 * first], &value_covariance[9 * first],
+                &status[first]);
+
+            result = (outcome == EKF_CAL_GPS_OK) ? result : outcome;
+        }
+    }
+    return result;
+}
+
+/** A block of epochs. */
+typedef struct {
+    ekf_cal_gps_real_t heading[EKF_CAL_GPS_LOCAL_FIX_LANES];
+    ekf_cal_gps_real_t fix[3 * EKF_CAL_GPS_LOCAL_FIX_LANES];
+    ekf_cal_gps_real_t reference_2[3 * EKF_CAL_GPS_LOCAL_FIX_LANES];
+    ekf_cal_gps_real_t covariance_2[9 * EKF_CAL_GPS_LOCAL_FIX_LANES];
+    ekf_cal_gps_real_t value[3 * EKF_CAL_GPS_LOCAL_FIX_LANES];
+    ekf_cal_gps_real_t jacobian_fix_nz[9 * EKF_CAL_GPS_LOCAL_FIX_LANES];
+    ekf_cal_gps_real_t value_covariance[9 * EKF_CAL_GPS_LOCAL_FIX_LANES];
+} local_fix_block_t;
+
+/* Lay rows of epochs side by side. */
+static void local_fix_gather(
+    int32_t count,
+    const ekf_cal_gps_real_t heading[EKF_CAL_GPS_RESTRICT],
+    ptrdiff_t heading_step,
+    const ekf_cal_gps_real_t fix[EKF_CAL_GPS_RESTRICT],
+    ptrdiff_t fix_step,
+    const ekf_cal_gps_real_t reference_2[EKF_CAL_GPS_RESTRICT],
+    ptrdiff_t reference_2_step,
+    const ekf_cal_gps_real_t covariance_2[EKF_CAL_GPS_RESTRICT],
+    ptrdiff_t covariance_2_step,
+    local_fix_block_t *EKF_CAL_GPS_RESTRICT block)
+{
+    rows_to_lanes(count, heading, heading_step, 1, EKF_CAL_GPS_LOCAL_FIX_LANES, block->heading);
+    rows_to_lanes(count, fix, fix_step, 3, EKF_CAL_GPS_LOCAL_FIX_LANES, block->fix);
+    rows_to_lanes(count, reference_2, reference_2_step, 3, EKF_CAL_GPS_LOCAL_FIX_LANES,
+        block->reference_2);
+    rows_to_lanes(count, covariance_2, covariance_2_step, 9, EKF_CAL_GPS_LOCAL_FIX_LANES,
+        block->covariance_2);
 }
 
 ekf_cal_gps_status_t ekf_cal_gps_local_fix_batch(
@@ -266,33 +382,80 @@ ekf_cal_gps_status_t ekf_cal_gps_local_fix_batch(
         (value != NULL) && (jacobian_fix != NULL) && (value_covariance != NULL) && (status != NULL))
         {
         local_fix_block_t block;
-        int32_t count;
 
         result = (epochs < 0) ? EKF_CAL_GPS_COUNT : EKF_CAL_GPS_OK;
-        for (ptrdiff_t first = 0; first < epochs; first += count) {
+        for (ptrdiff_t first = 0; first < epochs; first += EKF_CAL_GPS_LOCAL_FIX_LANES) {
             const ptrdiff_t rest = epochs - first;
-
-            count = (rest < EKF_CAL_GPS_LOCAL_FIX_LANES) ? (int32_t)rest :
+            const int32_t count = (rest < EKF_CAL_GPS_LOCAL_FIX_LANES) ? (int32_t)rest :
                 EKF_CAL_GPS_LOCAL_FIX_LANES;
-                local_fix_lanes(count, &heading[first * heading_step], heading_step,
-                    &fix[first * fix_step], fix_step, &reference_2[first * reference_2_step],
-                    reference_2_step, &covariance_2[first * covariance_2_step], covariance_2_step,
-                    &block);
-            for (int32_t lane = 0; lane < count; ++lane) {
-                const ptrdiff_t epoch = first + lane;
 
-                status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)EKF_CAL_GPS_OK) {
-                    local_fix_fill_value(&block.value[lane], EKF_CAL_GPS_LOCAL_FIX_LANES,
-                        &value[3 * epoch]);
-                    local_fix_fill_jacobian_fix(&block.jacobian_fix[lane],
-                        EKF_CAL_GPS_LOCAL_FIX_LANES, &jacobian_fix[9 * epoch]);
-                    local_fix_fill_value_covariance(&block.value_covariance[lane],
-                        EKF_CAL_GPS_LOCAL_FIX_LANES, &value_covariance[9 * epoch]);
-                } else {
-                    result = EKF_CAL_GPS_PARTIAL;
+            local_fix_gather(count, &heading[first * heading_step], heading_step,
+                &fix[first * fix_step], fix_step, &reference_2[first * reference_2_step],
+                reference_2_step, &covariance_2[first * covariance_2_step], covariance_2_step,
+                &block);
+            const ekf_cal_gps_status_t outcome = local_fix_block(count, block.heading, block.fix,
+                block.reference_2, block.covariance_2, block.value, block.jacobian_fix_nz,
+                block.value_covariance, &status[first]);
+
+            result = (outcome == EKF_CAL_GPS_OK) ? result : outcome;
+            lanes_to_rows(count, &status[first], block.value, 3, EKF_CAL_GPS_LOCAL_FIX_LANES,
+                &value[3 * first]);
+            lanes_to_rows(count, &status[first], block.value_covariance, 9,
+                EKF_CAL_GPS_LOCAL_FIX_LANES, &value_covariance[9 * first]);
+            for (int32_t lane = 0; lane < count; ++lane) {
+                if (status[first + lane] == (uint8_t)EKF_CAL_GPS_OK) {
+                    local_fix_fill_jacobian_fix(&block.jacobian_fix_nz[lane],
+                        EKF_CAL_GPS_LOCAL_FIX_LANES, &jacobian_fix[9 * (first + lane)]);
                 }
             }
+        }
+    }
+    return result;
+}
+
+ekf_cal_gps_status_t ekf_cal_gps_local_fix_batch_nz(
+    int32_t epochs,
+    const ekf_cal_gps_real_t heading[EKF_CAL_GPS_RESTRICT],
+    int32_t heading_step,
+    const ekf_cal_gps_real_t fix[EKF_CAL_GPS_RESTRICT],
+    int32_t fix_step,
+    const ekf_cal_gps_real_t reference_2[EKF_CAL_GPS_RESTRICT],
+    int32_t reference_2_step,
+    const ekf_cal_gps_real_t covariance_2[EKF_CAL_GPS_RESTRICT],
+    int32_t covariance_2_step,
+    ekf_cal_gps_real_t value[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t jacobian_fix_nz[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t value_covariance[EKF_CAL_GPS_RESTRICT],
+    uint8_t status[EKF_CAL_GPS_RESTRICT])
+{
+    ekf_cal_gps_status_t result = EKF_CAL_GPS_NULL;
+
+    if ((heading != NULL) && (fix != NULL) && (reference_2 != NULL) && (covariance_2 != NULL) &&
+        (value != NULL) && (jacobian_fix_nz != NULL) && (value_covariance != NULL) &&
+        (status != NULL)) {
+        local_fix_block_t block;
+
+        result = (epochs < 0) ? EKF_CAL_GPS_COUNT : EKF_CAL_GPS_OK;
+        for (ptrdiff_t first = 0; first < epochs; first += EKF_CAL_GPS_LOCAL_FIX_LANES) {
+            const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < EKF_CAL_GPS_LOCAL_FIX_LANES) ? (int32_t)rest :
+                EKF_CAL_GPS_LOCAL_FIX_LANES;
+
+            local_fix_gather(count, &heading[first * heading_step], heading_step,
+                &fix[first * fix_step], fix_step, &reference_2[first * reference_2_step],
+                reference_2_step, &covariance_2[first * covariance_2_step], covariance_2_step,
+                &block);
+            const ekf_cal_gps_status_t outcome = local_fix_block(count, block.heading, block.fix,
+                block.reference_2, block.covariance_2, block.value, block.jacobian_fix_nz,
+                block.value_covariance, &status[first]);
+
+            result = (outcome == EKF_CAL_GPS_OK) ? result : outcome;
+            lanes_to_rows(count, &status[first], block.value, 3, EKF_CAL_GPS_LOCAL_FIX_LANES,
+                &value[3 * first]);
+            lanes_to_rows(count, &status[first], block.jacobian_fix_nz, 9,
+                EKF_CAL_GPS_LOCAL_FIX_LANES, &jacobian_fix_nz[9 * first]);
+            lanes_to_rows(count, &status[first], block.value_covariance, 9,
+                EKF_CAL_GPS_LOCAL_FIX_LANES, &value_covariance[9 * first]);
         }
     }
     return result;

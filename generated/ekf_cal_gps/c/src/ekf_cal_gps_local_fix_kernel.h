@@ -44,6 +44,7 @@ EKF_CAL_GPS_INLINE flag_t local_fix_load(
     const ekf_cal_gps_real_t fix[],
     const ekf_cal_gps_real_t reference_2[],
     const ekf_cal_gps_real_t covariance_2[],
+    int32_t stride,
     local_fix_input_t *in)
 {
     flag_t outside = 0U;
@@ -53,26 +54,53 @@ EKF_CAL_GPS_INLINE flag_t local_fix_load(
 
     /* fix [rad] */
     outside |= take_centred(fix[0], 1.5690509975429023, &in->fix_latitude);
-    outside |= take_centred(fix[1], 3.141592653589793, &in->fix_longitude);
-    outside |= take_value(fix[2], -10000.0, 10000000.0, &in->fix_height);
+    outside |= take_centred(fix[stride], 3.141592653589793, &in->fix_longitude);
+    outside |= take_value(fix[2 * stride], -10000.0, 10000000.0, &in->fix_height);
 
     /* reference [rad] */
     outside |= take_centred(reference_2[0], 1.5690509975429023, &in->reference_2_latitude);
-    outside |= take_centred(reference_2[1], 3.141592653589793, &in->reference_2_longitude);
-    outside |= take_value(reference_2[2], -10000.0, 10000000.0, &in->reference_2_height);
+    outside |= take_centred(reference_2[stride], 3.141592653589793, &in->reference_2_longitude);
+    outside |= take_value(reference_2[2 * stride], -10000.0, 10000000.0, &in->reference_2_height);
 
     /* covariance */
     outside |= take_centred(covariance_2[0], 1000000000000.0, &in->covariance_2_0);
-    outside |= take_centred(covariance_2[1], 1000000000000.0, &in->covariance_2_1);
-    outside |= take_centred(covariance_2[2], 1000000000000.0, &in->covariance_2_2);
-    outside |= take_centred(covariance_2[3], 1000000000000.0, &in->covariance_2_3);
-    outside |= take_centred(covariance_2[4], 1000000000000.0, &in->covariance_2_4);
-    outside |= take_centred(covariance_2[5], 1000000000000.0, &in->covariance_2_5);
-    outside |= take_centred(covariance_2[6], 1000000000000.0, &in->covariance_2_6);
-    outside |= take_centred(covariance_2[7], 1000000000000.0, &in->covariance_2_7);
-    outside |= take_centred(covariance_2[8], 1000000000000.0, &in->covariance_2_8);
+    outside |= take_centred(covariance_2[stride], 1000000000000.0, &in->covariance_2_1);
+    outside |= take_centred(covariance_2[2 * stride], 1000000000000.0, &in->covariance_2_2);
+    outside |= take_centred(covariance_2[3 * stride], 1000000000000.0, &in->covariance_2_3);
+    outside |= take_centred(covariance_2[4 * stride], 1000000000000.0, &in->covariance_2_4);
+    outside |= take_centred(covariance_2[5 * stride], 1000000000000.0, &in->covariance_2_5);
+    outside |= take_centred(covariance_2[6 * stride], 1000000000000.0, &in->covariance_2_6);
+    outside |= take_centred(covariance_2[7 * stride], 1000000000000.0, &in->covariance_2_7);
+    outside |= take_centred(covariance_2[8 * stride], 1000000000000.0, &in->covariance_2_8);
 
     return (outside != 0U) ? (flag_t)EKF_CAL_GPS_RANGE : (flag_t)EKF_CAL_GPS_OK;
+}
+
+/* Copy the inputs of one call that has passed its checks. */
+EKF_CAL_GPS_INLINE void local_fix_copy(
+    const ekf_cal_gps_real_t heading[],
+    const ekf_cal_gps_real_t fix[],
+    const ekf_cal_gps_real_t reference_2[],
+    const ekf_cal_gps_real_t covariance_2[],
+    int32_t stride,
+    local_fix_input_t *in)
+{
+    in->heading = heading[0];
+    in->fix_latitude = fix[0];
+    in->fix_longitude = fix[stride];
+    in->fix_height = fix[2 * stride];
+    in->reference_2_latitude = reference_2[0];
+    in->reference_2_longitude = reference_2[stride];
+    in->reference_2_height = reference_2[2 * stride];
+    in->covariance_2_0 = covariance_2[0];
+    in->covariance_2_1 = covariance_2[stride];
+    in->covariance_2_2 = covariance_2[2 * stride];
+    in->covariance_2_3 = covariance_2[3 * stride];
+    in->covariance_2_4 = covariance_2[4 * stride];
+    in->covariance_2_5 = covariance_2[5 * stride];
+    in->covariance_2_6 = covariance_2[6 * stride];
+    in->covariance_2_7 = covariance_2[7 * stride];
+    in->covariance_2_8 = covariance_2[8 * stride];
 }
 
 /* Local-level position of a geodetic fix: values and structural non-zeros. */

@@ -9,15 +9,6 @@
 
 #include "ekf_cal_gps_retract_kernel.h"
 
-/* Epochs a batch evaluates side by side. */
-#define EKF_CAL_GPS_RETRACT_LANES 64
-
-/** Non-zeros of a block of epochs, each stored contiguously across the epochs. */
-typedef struct {
-    ekf_cal_gps_real_t value[22 * EKF_CAL_GPS_RETRACT_LANES];
-    flag_t status[EKF_CAL_GPS_RETRACT_LANES];
-} retract_block_t;
-
 /* Store the non-zeros of value, a stride apart. */
 EKF_CAL_GPS_INLINE void retract_put_value(
     const retract_output_t *out,
@@ -89,7 +80,7 @@ ekf_cal_gps_status_t ekf_cal_gps_retract(
         retract_input_t in;
         retract_output_t out;
 
-        status = (ekf_cal_gps_status_t)retract_load(x, d, &in);
+        status = (ekf_cal_gps_status_t)retract_load(x, d, 1, &in);
         if (status == EKF_CAL_GPS_OK) {
             status = (ekf_cal_gps_status_t)retract_kernel(&in, &out);
         }
@@ -100,23 +91,114 @@ ekf_cal_gps_status_t ekf_cal_gps_retract(
     return status;
 }
 
-/* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static EKF_CAL_GPS_WIDE void retract_lanes(
+/* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
+static EKF_CAL_GPS_WIDE flag_t retract_check_lanes(
     int32_t count,
-    const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT], ptrdiff_t x_step,
-    const ekf_cal_gps_real_t d[EKF_CAL_GPS_RESTRICT], ptrdiff_t d_step,
-    retract_block_t *EKF_CAL_GPS_RESTRICT block)
+    const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t d[EKF_CAL_GPS_RESTRICT],
+    flag_t codes[EKF_CAL_GPS_RESTRICT EKF_CAL_GPS_RETRACT_LANES])
+{
+    flag_t failed = 0U;
+
+    EKF_CAL_GPS_IVDEP
+    for (int32_t lane = 0; lane < count; ++lane) {
+        retract_input_t in;
+        retract_output_t out;
+        const flag_t loaded = retract_load(&x[lane], &d[lane], EKF_CAL_GPS_RETRACT_LANES, &in);
+        const flag_t evaluated = retract_kernel(&in, &out);
+
+        codes[lane] = first_failure(loaded, evaluated);
+        failed |= codes[lane];
+    }
+    return failed;
+}
+
+/* Evaluate epochs side by side that have passed their checks. */
+static EKF_CAL_GPS_WIDE void retract_evaluate_lanes(
+    int32_t count,
+    const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t d[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t value[EKF_CAL_GPS_RESTRICT])
 {
     EKF_CAL_GPS_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         retract_input_t in;
         retract_output_t out;
-        const flag_t loaded = retract_load(&x[lane * x_step], &d[lane * d_step], &in);
-        const flag_t evaluated = retract_kernel(&in, &out);
 
-        block->status[lane] = first_failure(loaded, evaluated);
-        retract_put_value(&out, EKF_CAL_GPS_RETRACT_LANES, &block->value[lane]);
+        retract_copy(&x[lane], &d[lane], EKF_CAL_GPS_RETRACT_LANES, &in);
+        (void)retract_kernel(&in, &out);
+        retract_put_value(&out, EKF_CAL_GPS_RETRACT_LANES, &value[lane]);
     }
+}
+
+/* One block: outputs of lanes that fail stay as they are. */
+static ekf_cal_gps_status_t retract_block(
+    int32_t count,
+    const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t d[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t value[EKF_CAL_GPS_RESTRICT],
+    uint8_t status[EKF_CAL_GPS_RESTRICT])
+{
+    flag_t codes[EKF_CAL_GPS_RETRACT_LANES];
+    const flag_t failed = retract_check_lanes(count, x, d, codes);
+
+    for (int32_t lane = 0; lane < count; ++lane) {
+        status[lane] = (uint8_t)codes[lane];
+    }
+    if (failed == (flag_t)EKF_CAL_GPS_OK) {
+        retract_evaluate_lanes(count, x, d, value);
+    } else {
+        for (int32_t lane = 0; lane < count; ++lane) {
+            if (codes[lane] == (flag_t)EKF_CAL_GPS_OK) {
+                retract_evaluate_lanes(1, &x[lane], &d[lane], &value[lane]);
+            }
+        }
+    }
+    return (failed == (flag_t)EKF_CAL_GPS_OK) ? EKF_CAL_GPS_OK : EKF_CAL_GPS_PARTIAL;
+}
+
+ekf_cal_gps_status_t ekf_cal_gps_retract_blocks(
+    int32_t epochs,
+    const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t d[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t value[EKF_CAL_GPS_RESTRICT],
+    uint8_t status[EKF_CAL_GPS_RESTRICT])
+{
+    ekf_cal_gps_status_t result = EKF_CAL_GPS_NULL;
+
+    if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
+        result = (epochs < 0) ? EKF_CAL_GPS_COUNT : EKF_CAL_GPS_OK;
+        for (ptrdiff_t first = 0; first < epochs; first += EKF_CAL_GPS_RETRACT_LANES) {
+            const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < EKF_CAL_GPS_RETRACT_LANES) ? (int32_t)rest :
+                EKF_CAL_GPS_RETRACT_LANES;
+            const ekf_cal_gps_status_t outcome = retract_block(count, &x[22 * first],
+                &d[21 * first], &value[22 * first], &status[first]);
+
+            result = (outcome == EKF_CAL_GPS_OK) ? result : outcome;
+        }
+    }
+    return result;
+}
+
+/** A block of epochs. */
+typedef struct {
+    ekf_cal_gps_real_t x[22 * EKF_CAL_GPS_RETRACT_LANES];
+    ekf_cal_gps_real_t d[21 * EKF_CAL_GPS_RETRACT_LANES];
+    ekf_cal_gps_real_t value[22 * EKF_CAL_GPS_RETRACT_LANES];
+} retract_block_t;
+
+/* Lay rows of epochs side by side. */
+static void retract_gather(
+    int32_t count,
+    const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT],
+    ptrdiff_t x_step,
+    const ekf_cal_gps_real_t d[EKF_CAL_GPS_RESTRICT],
+    ptrdiff_t d_step,
+    retract_block_t *EKF_CAL_GPS_RESTRICT block)
+{
+    rows_to_lanes(count, x, x_step, 22, EKF_CAL_GPS_RETRACT_LANES, block->x);
+    rows_to_lanes(count, d, d_step, 21, EKF_CAL_GPS_RETRACT_LANES, block->d);
 }
 
 ekf_cal_gps_status_t ekf_cal_gps_retract_batch(
@@ -132,26 +214,20 @@ ekf_cal_gps_status_t ekf_cal_gps_retract_batch(
 
     if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
         retract_block_t block;
-        int32_t count;
 
         result = (epochs < 0) ? EKF_CAL_GPS_COUNT : EKF_CAL_GPS_OK;
-        for (ptrdiff_t first = 0; first < epochs; first += count) {
+        for (ptrdiff_t first = 0; first < epochs; first += EKF_CAL_GPS_RETRACT_LANES) {
             const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < EKF_CAL_GPS_RETRACT_LANES) ? (int32_t)rest :
+                EKF_CAL_GPS_RETRACT_LANES;
 
-            count = (rest < EKF_CAL_GPS_RETRACT_LANES) ? (int32_t)rest : EKF_CAL_GPS_RETRACT_LANES;
-                retract_lanes(count, &x[first * x_step], x_step, &d[first * d_step], d_step,
-                    &block);
-            for (int32_t lane = 0; lane < count; ++lane) {
-                const ptrdiff_t epoch = first + lane;
+            retract_gather(count, &x[first * x_step], x_step, &d[first * d_step], d_step, &block);
+            const ekf_cal_gps_status_t outcome =
+                retract_block(count, block.x, block.d, block.value, &status[first]);
 
-                status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)EKF_CAL_GPS_OK) {
-                    retract_fill_value(&block.value[lane], EKF_CAL_GPS_RETRACT_LANES,
-                        &value[22 * epoch]);
-                } else {
-                    result = EKF_CAL_GPS_PARTIAL;
-                }
-            }
+            result = (outcome == EKF_CAL_GPS_OK) ? result : outcome;
+            lanes_to_rows(count, &status[first], block.value, 22, EKF_CAL_GPS_RETRACT_LANES,
+                &value[22 * first]);
         }
     }
     return result;

@@ -9,18 +9,6 @@
 
 #include "ekf_cal_online_gps_2_kernel.h"
 
-/* Epochs a batch evaluates side by side. */
-#define EKF_CAL_ONLINE_GPS_2_LANES 32
-
-/** Non-zeros of a block of epochs, each stored contiguously across the epochs. */
-typedef struct {
-    ekf_cal_online_real_t value[3 * EKF_CAL_ONLINE_GPS_2_LANES];
-    ekf_cal_online_real_t residual[3 * EKF_CAL_ONLINE_GPS_2_LANES];
-    ekf_cal_online_real_t jacobian[25 * EKF_CAL_ONLINE_GPS_2_LANES];
-    ekf_cal_online_real_t jacobian_origin[3 * EKF_CAL_ONLINE_GPS_2_LANES];
-    flag_t status[EKF_CAL_ONLINE_GPS_2_LANES];
-} gps_2_block_t;
-
 /* Store the non-zeros of value, a stride apart. */
 EKF_CAL_ONLINE_INLINE void gps_2_put_value(
     const gps_2_output_t *out,
@@ -218,7 +206,7 @@ ekf_cal_online_status_t ekf_cal_online_gps_2(
         gps_2_input_t in;
         gps_2_output_t out;
 
-        status = (ekf_cal_online_status_t)gps_2_load(x, origin, measured, &in);
+        status = (ekf_cal_online_status_t)gps_2_load(x, origin, measured, 1, &in);
         if (status == EKF_CAL_ONLINE_OK) {
             status = (ekf_cal_online_status_t)gps_2_kernel(&in, &out);
         }
@@ -246,7 +234,7 @@ ekf_cal_online_status_t ekf_cal_online_gps_2_value(
         gps_2_input_t in;
         gps_2_output_t out;
 
-        status = (ekf_cal_online_status_t)gps_2_load(x, origin, measured, &in);
+        status = (ekf_cal_online_status_t)gps_2_load(x, origin, measured, 1, &in);
         if (status == EKF_CAL_ONLINE_OK) {
             status = (ekf_cal_online_status_t)gps_2_kernel(&in, &out);
         }
@@ -272,7 +260,7 @@ ekf_cal_online_status_t ekf_cal_online_gps_2_jacobian(
         gps_2_input_t in;
         gps_2_output_t out;
 
-        status = (ekf_cal_online_status_t)gps_2_load(x, origin, measured, &in);
+        status = (ekf_cal_online_status_t)gps_2_load(x, origin, measured, 1, &in);
         if (status == EKF_CAL_ONLINE_OK) {
             status = (ekf_cal_online_status_t)gps_2_kernel(&in, &out);
         }
@@ -300,7 +288,7 @@ ekf_cal_online_status_t ekf_cal_online_gps_2_nz(
         gps_2_input_t in;
         gps_2_output_t out;
 
-        status = (ekf_cal_online_status_t)gps_2_load(x, origin, measured, &in);
+        status = (ekf_cal_online_status_t)gps_2_load(x, origin, measured, 1, &in);
         if (status == EKF_CAL_ONLINE_OK) {
             status = (ekf_cal_online_status_t)gps_2_kernel(&in, &out);
         }
@@ -314,28 +302,149 @@ ekf_cal_online_status_t ekf_cal_online_gps_2_nz(
     return status;
 }
 
-/* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static EKF_CAL_ONLINE_WIDE void gps_2_lanes(
+/* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
+static EKF_CAL_ONLINE_WIDE flag_t gps_2_check_lanes(
     int32_t count,
-    const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT], ptrdiff_t x_step,
-    const ekf_cal_online_real_t origin[EKF_CAL_ONLINE_RESTRICT], ptrdiff_t origin_step,
-    const ekf_cal_online_real_t measured[EKF_CAL_ONLINE_RESTRICT], ptrdiff_t measured_step,
-    gps_2_block_t *EKF_CAL_ONLINE_RESTRICT block)
+    const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT],
+    const ekf_cal_online_real_t origin[EKF_CAL_ONLINE_RESTRICT],
+    const ekf_cal_online_real_t measured[EKF_CAL_ONLINE_RESTRICT],
+    flag_t codes[EKF_CAL_ONLINE_RESTRICT EKF_CAL_ONLINE_GPS_2_LANES])
+{
+    flag_t failed = 0U;
+
+    EKF_CAL_ONLINE_IVDEP
+    for (int32_t lane = 0; lane < count; ++lane) {
+        gps_2_input_t in;
+        gps_2_output_t out;
+        const flag_t loaded =
+            gps_2_load(&x[lane], &origin[lane], &measured[lane], EKF_CAL_ONLINE_GPS_2_LANES, &in);
+        const flag_t evaluated = gps_2_kernel(&in, &out);
+
+        codes[lane] = first_failure(loaded, evaluated);
+        failed |= codes[lane];
+    }
+    return failed;
+}
+
+/* Evaluate epochs side by side that have passed their checks. */
+static EKF_CAL_ONLINE_WIDE void gps_2_evaluate_lanes(
+    int32_t count,
+    const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT],
+    const ekf_cal_online_real_t origin[EKF_CAL_ONLINE_RESTRICT],
+    const ekf_cal_online_real_t measured[EKF_CAL_ONLINE_RESTRICT],
+    ekf_cal_online_real_t value[EKF_CAL_ONLINE_RESTRICT],
+    ekf_cal_online_real_t residual[EKF_CAL_ONLINE_RESTRICT],
+    ekf_cal_online_real_t jacobian_nz[EKF_CAL_ONLINE_RESTRICT],
+    ekf_cal_online_real_t jacobian_origin_nz[EKF_CAL_ONLINE_RESTRICT])
 {
     EKF_CAL_ONLINE_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         gps_2_input_t in;
         gps_2_output_t out;
-        const flag_t loaded = gps_2_load(&x[lane * x_step], &origin[lane * origin_step],
-            &measured[lane * measured_step], &in);
-        const flag_t evaluated = gps_2_kernel(&in, &out);
 
-        block->status[lane] = first_failure(loaded, evaluated);
-        gps_2_put_value(&out, EKF_CAL_ONLINE_GPS_2_LANES, &block->value[lane]);
-        gps_2_put_residual(&out, EKF_CAL_ONLINE_GPS_2_LANES, &block->residual[lane]);
-        gps_2_put_jacobian(&out, EKF_CAL_ONLINE_GPS_2_LANES, &block->jacobian[lane]);
-        gps_2_put_jacobian_origin(&out, EKF_CAL_ONLINE_GPS_2_LANES, &block->jacobian_origin[lane]);
+        gps_2_copy(&x[lane], &origin[lane], &measured[lane], EKF_CAL_ONLINE_GPS_2_LANES, &in);
+        (void)gps_2_kernel(&in, &out);
+        gps_2_put_value(&out, EKF_CAL_ONLINE_GPS_2_LANES, &value[lane]);
+        gps_2_put_residual(&out, EKF_CAL_ONLINE_GPS_2_LANES, &residual[lane]);
+        gps_2_put_jacobian(&out, EKF_CAL_ONLINE_GPS_2_LANES, &jacobian_nz[lane]);
+        gps_2_put_jacobian_origin(&out, EKF_CAL_ONLINE_GPS_2_LANES, &jacobian_origin_nz[lane]);
     }
+}
+
+/* One block: outputs of lanes that fail stay as they are. */
+static ekf_cal_online_status_t gps_2_block(
+    int32_t count,
+    const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT],
+    const ekf_cal_online_real_t origin[EKF_CAL_ONLINE_RESTRICT],
+    const ekf_cal_online_real_t measured[EKF_CAL_ONLINE_RESTRICT],
+    ekf_cal_online_real_t value[EKF_CAL_ONLINE_RESTRICT],
+    ekf_cal_online_real_t residual[EKF_CAL_ONLINE_RESTRICT],
+    ekf_cal_online_real_t jacobian_nz[EKF_CAL_ONLINE_RESTRICT],
+    ekf_cal_online_real_t jacobian_origin_nz[EKF_CAL_ONLINE_RESTRICT],
+    uint8_t status[EKF_CAL_ONLINE_RESTRICT])
+{
+    flag_t codes[EKF_CAL_ONLINE_GPS_2_LANES];
+    const flag_t failed = gps_2_check_lanes(count, x, origin, measured, codes);
+
+    for (int32_t lane = 0; lane < count; ++lane) {
+        status[lane] = (uint8_t)codes[lane];
+    }
+    if (failed == (flag_t)EKF_CAL_ONLINE_OK) {
+        gps_2_evaluate_lanes(count, x, origin, measured, value, residual, jacobian_nz,
+            jacobian_origin_nz);
+    } else {
+        for (int32_t lane = 0; lane < count; ++lane) {
+            if (codes[lane] == (flag_t)EKF_CAL_ONLINE_OK) {
+                gps_2_evaluate_lanes(1, &x[lane], &origin[lane], &measured[lane], &value[lane],
+                    &residual[lane], &jacobian_nz[lane], &jacobian_origin_nz[lane]);
+            }
+        }
+    }
+    return (failed == (flag_t)EKF_CAL_ONLINE_OK) ? EKF_CAL_ONLINE_OK : EKF_CAL_ONLINE_PARTIAL;
+}
+
+ekf_cal_online_status_t ekf_cal_online_gps_2_blocks(
+    int32_t epochs,
+    const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT],
+    const ekf_cal_online_real_t origin[EKF_CAL_ONLINE_RESTRICT],
+    const ekf_cal_online_real_t measured[EKF_CAL_ONLINE_RESTRICT],
+    ekf_cal_online_real_t value[EKF_CAL_ONLINE_RESTRICT],
+    ekf_cal_online_real_t residual[EKF_CAL_ONLINE_RESTRICT],
+    ekf_cal_online_real_t jacobian_nz[EKF_CAL_ONLINE_RESTRICT],
+    ekf_cal_online_real_t jacobian_origin_nz[EKF_CAL_ONLINE_RESTRICT],
+    uint8_t status[EKF_CAL_ONLINE_RESTRICT])
+{
+    ekf_cal_online_status_t result = EKF_CAL_ONLINE_NULL;
+
+    if ((x != NULL) && (origin != NULL) && (measured != NULL) && (value != NULL) &&
+        (residual != NULL) && (jacobian_nz != NULL) && (jacobian_origin_nz != NULL) &&
+        (status != NULL)) {
+        result = (epochs < 0) ? EKF_CAL_ONLINE_COUNT : EKF_CAL_ONLINE_OK;
+        for (ptrdiff_t first = 0; first < epochs; first += EKF_CAL_ONLINE_GPS_2_LANES) {
+            const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < EKF_CAL_ONLINE_GPS_2_LANES) ? (int32_t)rest :
+                EKF_CAL_ONLINE_GPS_2_LANES;
+            const ekf_cal_online_status_t outcome = gps_2_block(count, &x[26 * first],
+                &origin[3 * first], &measured[3 * first], &value[3 * first], &residual[3 * first],
+                &jacobian_nz[25 * first], &jacobian_origin_nz[3 * first], &status[first]);
+
+            result = (outcome == EKF_CAL_ONLINE_OK) ? result : outcome;
+        }
+    }
+    return result;
+}
+
+/** A block of epochs. */
+typedef struct {
+    ekf_cal_online_real_t x[26 * EKF_CAL_ONLINE_GPS_2_LANES];
+    ekf_cal_online_real_t origin[3 * EKF_CAL_ONLINE_GPS_2_LANES];
+    ekf_cal_online_real_t measured[3 * EKF_CAL_ONLINE_GPS_2_LANES];
+    ekf_cal_online_real_t value[3 * EKF_CAL_ONLINE_GPS_2_LANES];
+    ekf_cal_online_real_t residual[3 * EKF_CAL_ONLINE_GPS_2_LANES];
+    ekf_cal_online_real_t jacobian_nz[25 * EKF_CAL_ONLINE_GPS_2_LANES];
+    ekf_cal_online_real_t jacobian_origin_nz[3 * EKF_CAL_ONLINE_GPS_2_LANES];
+} gps_2_block_t;
+
+/* Lay rows of epochs side by side. */
+static void gps_2_gather(
+    int32_t count,
+    const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT],
+    ptrdiff_t x_step,
+    const ekf_cal_online_real_t origin[EKF_CAL_ONLINE_RESTRICT],
+    ptrdiff_t origin_step,
+    const ekf_cal_online_real_t measured[EKF_CAL_ONLINE_RESTRICT],
+    ptrdiff_t measured_step,
+    gps_2_block_t *EKF_CAL_ONLINE_RESTRICT block)
+{
+    rows_to_lanes(count, x, x_step, 3, EKF_CAL_ONLINE_GPS_2_LANES, block->x);
+    rows_to_lanes(count, &x[9], x_step, 4, EKF_CAL_ONLINE_GPS_2_LANES,
+        &block->x[9 * EKF_CAL_ONLINE_GPS_2_LANES]);
+    rows_to_lanes(count, &x[19], x_step, 1, EKF_CAL_ONLINE_GPS_2_LANES,
+        &block->x[19 * EKF_CAL_ONLINE_GPS_2_LANES]);
+    rows_to_lanes(count, &x[23], x_step, 3, EKF_CAL_ONLINE_GPS_2_LANES,
+        &block->x[23 * EKF_CAL_ONLINE_GPS_2_LANES]);
+    rows_to_lanes(count, origin, origin_step, 3, EKF_CAL_ONLINE_GPS_2_LANES, block->origin);
+    rows_to_lanes(count, measured, measured_step, 3, EKF_CAL_ONLINE_GPS_2_LANES, block->measured);
 }
 
 ekf_cal_online_status_t ekf_cal_online_gps_2_batch(
@@ -357,33 +466,79 @@ ekf_cal_online_status_t ekf_cal_online_gps_2_batch(
     if ((x != NULL) && (origin != NULL) && (measured != NULL) && (value != NULL) &&
         (residual != NULL) && (jacobian != NULL) && (jacobian_origin != NULL) && (status != NULL)) {
         gps_2_block_t block;
-        int32_t count;
 
         result = (epochs < 0) ? EKF_CAL_ONLINE_COUNT : EKF_CAL_ONLINE_OK;
-        for (ptrdiff_t first = 0; first < epochs; first += count) {
+        for (ptrdiff_t first = 0; first < epochs; first += EKF_CAL_ONLINE_GPS_2_LANES) {
             const ptrdiff_t rest = epochs - first;
-
-            count = (rest < EKF_CAL_ONLINE_GPS_2_LANES) ? (int32_t)rest :
+            const int32_t count = (rest < EKF_CAL_ONLINE_GPS_2_LANES) ? (int32_t)rest :
                 EKF_CAL_ONLINE_GPS_2_LANES;
-                gps_2_lanes(count, &x[first * x_step], x_step, &origin[first * origin_step],
-                    origin_step, &measured[first * measured_step], measured_step, &block);
-            for (int32_t lane = 0; lane < count; ++lane) {
-                const ptrdiff_t epoch = first + lane;
 
-                status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)EKF_CAL_ONLINE_OK) {
-                    gps_2_fill_value(&block.value[lane], EKF_CAL_ONLINE_GPS_2_LANES,
-                        &value[3 * epoch]);
-                    gps_2_fill_residual(&block.residual[lane], EKF_CAL_ONLINE_GPS_2_LANES,
-                        &residual[3 * epoch]);
-                    gps_2_fill_jacobian(&block.jacobian[lane], EKF_CAL_ONLINE_GPS_2_LANES,
-                        &jacobian[75 * epoch]);
-                    gps_2_fill_jacobian_origin(&block.jacobian_origin[lane],
-                        EKF_CAL_ONLINE_GPS_2_LANES, &jacobian_origin[9 * epoch]);
-                } else {
-                    result = EKF_CAL_ONLINE_PARTIAL;
+            gps_2_gather(count, &x[first * x_step], x_step, &origin[first * origin_step],
+                origin_step, &measured[first * measured_step], measured_step, &block);
+            const ekf_cal_online_status_t outcome = gps_2_block(count, block.x, block.origin,
+                block.measured, block.value, block.residual, block.jacobian_nz,
+                block.jacobian_origin_nz, &status[first]);
+
+            result = (outcome == EKF_CAL_ONLINE_OK) ? result : outcome;
+            lanes_to_rows(count, &status[first], block.value, 3, EKF_CAL_ONLINE_GPS_2_LANES,
+                &value[3 * first]);
+            lanes_to_rows(count, &status[first], block.residual, 3, EKF_CAL_ONLINE_GPS_2_LANES,
+                &residual[3 * first]);
+            for (int32_t lane = 0; lane < count; ++lane) {
+                if (status[first + lane] == (uint8_t)EKF_CAL_ONLINE_OK) {
+                    gps_2_fill_jacobian(&block.jacobian_nz[lane], EKF_CAL_ONLINE_GPS_2_LANES,
+                        &jacobian[75 * (first + lane)]);
+                    gps_2_fill_jacobian_origin(&block.jacobian_origin_nz[lane],
+                        EKF_CAL_ONLINE_GPS_2_LANES, &jacobian_origin[9 * (first + lane)]);
                 }
             }
+        }
+    }
+    return result;
+}
+
+ekf_cal_online_status_t ekf_cal_online_gps_2_batch_nz(
+    int32_t epochs,
+    const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT],
+    int32_t x_step,
+    const ekf_cal_online_real_t origin[EKF_CAL_ONLINE_RESTRICT],
+    int32_t origin_step,
+    const ekf_cal_online_real_t measured[EKF_CAL_ONLINE_RESTRICT],
+    int32_t measured_step,
+    ekf_cal_online_real_t value[EKF_CAL_ONLINE_RESTRICT],
+    ekf_cal_online_real_t residual[EKF_CAL_ONLINE_RESTRICT],
+    ekf_cal_online_real_t jacobian_nz[EKF_CAL_ONLINE_RESTRICT],
+    ekf_cal_online_real_t jacobian_origin_nz[EKF_CAL_ONLINE_RESTRICT],
+    uint8_t status[EKF_CAL_ONLINE_RESTRICT])
+{
+    ekf_cal_online_status_t result = EKF_CAL_ONLINE_NULL;
+
+    if ((x != NULL) && (origin != NULL) && (measured != NULL) && (value != NULL) &&
+        (residual != NULL) && (jacobian_nz != NULL) && (jacobian_origin_nz != NULL) &&
+        (status != NULL)) {
+        gps_2_block_t block;
+
+        result = (epochs < 0) ? EKF_CAL_ONLINE_COUNT : EKF_CAL_ONLINE_OK;
+        for (ptrdiff_t first = 0; first < epochs; first += EKF_CAL_ONLINE_GPS_2_LANES) {
+            const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < EKF_CAL_ONLINE_GPS_2_LANES) ? (int32_t)rest :
+                EKF_CAL_ONLINE_GPS_2_LANES;
+
+            gps_2_gather(count, &x[first * x_step], x_step, &origin[first * origin_step],
+                origin_step, &measured[first * measured_step], measured_step, &block);
+            const ekf_cal_online_status_t outcome = gps_2_block(count, block.x, block.origin,
+                block.measured, block.value, block.residual, block.jacobian_nz,
+                block.jacobian_origin_nz, &status[first]);
+
+            result = (outcome == EKF_CAL_ONLINE_OK) ? result : outcome;
+            lanes_to_rows(count, &status[first], block.value, 3, EKF_CAL_ONLINE_GPS_2_LANES,
+                &value[3 * first]);
+            lanes_to_rows(count, &status[first], block.residual, 3, EKF_CAL_ONLINE_GPS_2_LANES,
+                &residual[3 * first]);
+            lanes_to_rows(count, &status[first], block.jacobian_nz, 25, EKF_CAL_ONLINE_GPS_2_LANES,
+                &jacobian_nz[25 * first]);
+            lanes_to_rows(count, &status[first], block.jacobian_origin_nz, 3,
+                EKF_CAL_ONLINE_GPS_2_LANES, &jacobian_origin_nz[3 * first]);
         }
     }
     return result;

@@ -45,6 +45,7 @@ EKF_CAL_ONLINE_INLINE flag_t gps_2_load(
     const ekf_cal_online_real_t x[],
     const ekf_cal_online_real_t origin[],
     const ekf_cal_online_real_t measured[],
+    int32_t stride,
     gps_2_input_t *in)
 {
     flag_t outside = 0U;
@@ -52,37 +53,64 @@ EKF_CAL_ONLINE_INLINE flag_t gps_2_load(
 
     /* position [m, in l] */
     outside |= take_centred(x[0], 1000000.0, &in->position_x);
-    outside |= take_centred(x[1], 1000000.0, &in->position_y);
-    outside |= take_centred(x[2], 1000000.0, &in->position_z);
+    outside |= take_centred(x[stride], 1000000.0, &in->position_y);
+    outside |= take_centred(x[2 * stride], 1000000.0, &in->position_z);
 
     /* attitude [b -> l] */
-    outside |= take_centred(x[9], 1.00001, &in->attitude_w);
-    outside |= take_centred(x[10], 1.00001, &in->attitude_x);
-    outside |= take_centred(x[11], 1.00001, &in->attitude_y);
-    outside |= take_centred(x[12], 1.00001, &in->attitude_z);
+    outside |= take_centred(x[9 * stride], 1.00001, &in->attitude_w);
+    outside |= take_centred(x[10 * stride], 1.00001, &in->attitude_x);
+    outside |= take_centred(x[11 * stride], 1.00001, &in->attitude_y);
+    outside |= take_centred(x[12 * stride], 1.00001, &in->attitude_z);
     skewed |= is_skewed_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z,
         1.0e-05);
 
     /* heading [rad, g -> l] */
-    outside |= take_centred(x[19], 3.141592653589793, &in->heading);
+    outside |= take_centred(x[19 * stride], 3.141592653589793, &in->heading);
 
     /* antenna_2 [m, in b] */
-    outside |= take_centred(x[23], 50.0, &in->antenna_2_x);
-    outside |= take_centred(x[24], 50.0, &in->antenna_2_y);
-    outside |= take_centred(x[25], 50.0, &in->antenna_2_z);
+    outside |= take_centred(x[23 * stride], 50.0, &in->antenna_2_x);
+    outside |= take_centred(x[24 * stride], 50.0, &in->antenna_2_y);
+    outside |= take_centred(x[25 * stride], 50.0, &in->antenna_2_z);
 
     /* origin [m, in g] */
     outside |= take_centred(origin[0], 10000000.0, &in->origin_x);
-    outside |= take_centred(origin[1], 10000000.0, &in->origin_y);
-    outside |= take_centred(origin[2], 10000000.0, &in->origin_z);
+    outside |= take_centred(origin[stride], 10000000.0, &in->origin_y);
+    outside |= take_centred(origin[2 * stride], 10000000.0, &in->origin_z);
 
     /* measured [m, in g] */
     outside |= take_centred(measured[0], 1000000000.0, &in->measured_x);
-    outside |= take_centred(measured[1], 1000000000.0, &in->measured_y);
-    outside |= take_centred(measured[2], 1000000000.0, &in->measured_z);
+    outside |= take_centred(measured[stride], 1000000000.0, &in->measured_y);
+    outside |= take_centred(measured[2 * stride], 1000000000.0, &in->measured_z);
 
     return (outside != 0U) ? (flag_t)EKF_CAL_ONLINE_RANGE :
         ((skewed != 0U) ? (flag_t)EKF_CAL_ONLINE_QNORM : (flag_t)EKF_CAL_ONLINE_OK);
+}
+
+/* Copy the inputs of one call that has passed its checks. */
+EKF_CAL_ONLINE_INLINE void gps_2_copy(
+    const ekf_cal_online_real_t x[],
+    const ekf_cal_online_real_t origin[],
+    const ekf_cal_online_real_t measured[],
+    int32_t stride,
+    gps_2_input_t *in)
+{
+    in->position_x = x[0];
+    in->position_y = x[stride];
+    in->position_z = x[2 * stride];
+    in->attitude_w = x[9 * stride];
+    in->attitude_x = x[10 * stride];
+    in->attitude_y = x[11 * stride];
+    in->attitude_z = x[12 * stride];
+    in->heading = x[19 * stride];
+    in->antenna_2_x = x[23 * stride];
+    in->antenna_2_y = x[24 * stride];
+    in->antenna_2_z = x[25 * stride];
+    in->origin_x = origin[0];
+    in->origin_y = origin[stride];
+    in->origin_z = origin[2 * stride];
+    in->measured_x = measured[0];
+    in->measured_y = measured[stride];
+    in->measured_z = measured[2 * stride];
 }
 
 /* Position of a GNSS antenna: values and structural non-zeros. */

@@ -76,6 +76,7 @@ typedef struct {
 EKF_CAL_ONLINE_INLINE flag_t local_load(
     const ekf_cal_online_real_t x[],
     const ekf_cal_online_real_t y[],
+    int32_t stride,
     local_input_t *in)
 {
     flag_t outside = 0U;
@@ -83,98 +84,159 @@ EKF_CAL_ONLINE_INLINE flag_t local_load(
 
     /* position [m, in l] */
     outside |= take_centred(x[0], 1000000.0, &in->position_x);
-    outside |= take_centred(x[1], 1000000.0, &in->position_y);
-    outside |= take_centred(x[2], 1000000.0, &in->position_z);
+    outside |= take_centred(x[stride], 1000000.0, &in->position_y);
+    outside |= take_centred(x[2 * stride], 1000000.0, &in->position_z);
 
     /* velocity [m/s, in l] */
-    outside |= take_centred(x[3], 1000000000.0, &in->velocity_x);
-    outside |= take_centred(x[4], 1000000000.0, &in->velocity_y);
-    outside |= take_centred(x[5], 1000000000.0, &in->velocity_z);
+    outside |= take_centred(x[3 * stride], 1000000000.0, &in->velocity_x);
+    outside |= take_centred(x[4 * stride], 1000000000.0, &in->velocity_y);
+    outside |= take_centred(x[5 * stride], 1000000000.0, &in->velocity_z);
 
     /* acceleration [m/s^2, in l] */
-    outside |= take_centred(x[6], 1000000000.0, &in->acceleration_x);
-    outside |= take_centred(x[7], 1000000000.0, &in->acceleration_y);
-    outside |= take_centred(x[8], 1000000000.0, &in->acceleration_z);
+    outside |= take_centred(x[6 * stride], 1000000000.0, &in->acceleration_x);
+    outside |= take_centred(x[7 * stride], 1000000000.0, &in->acceleration_y);
+    outside |= take_centred(x[8 * stride], 1000000000.0, &in->acceleration_z);
 
     /* attitude [b -> l] */
-    outside |= take_centred(x[9], 1.00001, &in->attitude_w);
-    outside |= take_centred(x[10], 1.00001, &in->attitude_x);
-    outside |= take_centred(x[11], 1.00001, &in->attitude_y);
-    outside |= take_centred(x[12], 1.00001, &in->attitude_z);
+    outside |= take_centred(x[9 * stride], 1.00001, &in->attitude_w);
+    outside |= take_centred(x[10 * stride], 1.00001, &in->attitude_x);
+    outside |= take_centred(x[11 * stride], 1.00001, &in->attitude_y);
+    outside |= take_centred(x[12 * stride], 1.00001, &in->attitude_z);
     skewed |= is_skewed_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z,
         1.0e-05);
 
     /* angular_rate [rad/s, in l] */
-    outside |= take_centred(x[13], 1000000000.0, &in->angular_rate_x);
-    outside |= take_centred(x[14], 1000000000.0, &in->angular_rate_y);
-    outside |= take_centred(x[15], 1000000000.0, &in->angular_rate_z);
+    outside |= take_centred(x[13 * stride], 1000000000.0, &in->angular_rate_x);
+    outside |= take_centred(x[14 * stride], 1000000000.0, &in->angular_rate_y);
+    outside |= take_centred(x[15 * stride], 1000000000.0, &in->angular_rate_z);
 
     /* angular_acceleration [rad/s^2, in l] */
-    outside |= take_centred(x[16], 1000000000.0, &in->angular_acceleration_x);
-    outside |= take_centred(x[17], 1000000000.0, &in->angular_acceleration_y);
-    outside |= take_centred(x[18], 1000000000.0, &in->angular_acceleration_z);
+    outside |= take_centred(x[16 * stride], 1000000000.0, &in->angular_acceleration_x);
+    outside |= take_centred(x[17 * stride], 1000000000.0, &in->angular_acceleration_y);
+    outside |= take_centred(x[18 * stride], 1000000000.0, &in->angular_acceleration_z);
 
     /* heading [rad, g -> l] */
-    outside |= take_centred(x[19], 3.141592653589793, &in->heading);
+    outside |= take_centred(x[19 * stride], 3.141592653589793, &in->heading);
 
     /* antenna_1 [m, in b] */
-    outside |= take_centred(x[20], 50.0, &in->antenna_1_x);
-    outside |= take_centred(x[21], 50.0, &in->antenna_1_y);
-    outside |= take_centred(x[22], 50.0, &in->antenna_1_z);
+    outside |= take_centred(x[20 * stride], 50.0, &in->antenna_1_x);
+    outside |= take_centred(x[21 * stride], 50.0, &in->antenna_1_y);
+    outside |= take_centred(x[22 * stride], 50.0, &in->antenna_1_z);
 
     /* antenna_2 [m, in b] */
-    outside |= take_centred(x[23], 50.0, &in->antenna_2_x);
-    outside |= take_centred(x[24], 50.0, &in->antenna_2_y);
-    outside |= take_centred(x[25], 50.0, &in->antenna_2_z);
+    outside |= take_centred(x[23 * stride], 50.0, &in->antenna_2_x);
+    outside |= take_centred(x[24 * stride], 50.0, &in->antenna_2_y);
+    outside |= take_centred(x[25 * stride], 50.0, &in->antenna_2_z);
 
     /* position [m, in l] */
     outside |= take_centred(y[0], 1000000.0, &in->position_x_2);
-    outside |= take_centred(y[1], 1000000.0, &in->position_y_2);
-    outside |= take_centred(y[2], 1000000.0, &in->position_z_2);
+    outside |= take_centred(y[stride], 1000000.0, &in->position_y_2);
+    outside |= take_centred(y[2 * stride], 1000000.0, &in->position_z_2);
 
     /* velocity [m/s, in l] */
-    outside |= take_centred(y[3], 1000000000.0, &in->velocity_x_2);
-    outside |= take_centred(y[4], 1000000000.0, &in->velocity_y_2);
-    outside |= take_centred(y[5], 1000000000.0, &in->velocity_z_2);
+    outside |= take_centred(y[3 * stride], 1000000000.0, &in->velocity_x_2);
+    outside |= take_centred(y[4 * stride], 1000000000.0, &in->velocity_y_2);
+    outside |= take_centred(y[5 * stride], 1000000000.0, &in->velocity_z_2);
 
     /* acceleration [m/s^2, in l] */
-    outside |= take_centred(y[6], 1000000000.0, &in->acceleration_x_2);
-    outside |= take_centred(y[7], 1000000000.0, &in->acceleration_y_2);
-    outside |= take_centred(y[8], 1000000000.0, &in->acceleration_z_2);
+    outside |= take_centred(y[6 * stride], 1000000000.0, &in->acceleration_x_2);
+    outside |= take_centred(y[7 * stride], 1000000000.0, &in->acceleration_y_2);
+    outside |= take_centred(y[8 * stride], 1000000000.0, &in->acceleration_z_2);
 
     /* attitude [b -> l] */
-    outside |= take_centred(y[9], 1.00001, &in->attitude_w_2);
-    outside |= take_centred(y[10], 1.00001, &in->attitude_x_2);
-    outside |= take_centred(y[11], 1.00001, &in->attitude_y_2);
-    outside |= take_centred(y[12], 1.00001, &in->attitude_z_2);
+    outside |= take_centred(y[9 * stride], 1.00001, &in->attitude_w_2);
+    outside |= take_centred(y[10 * stride], 1.00001, &in->attitude_x_2);
+    outside |= take_centred(y[11 * stride], 1.00001, &in->attitude_y_2);
+    outside |= take_centred(y[12 * stride], 1.00001, &in->attitude_z_2);
     skewed |= is_skewed_quaternion(in->attitude_w_2, in->attitude_x_2, in->attitude_y_2,
         in->attitude_z_2, 1.0e-05);
 
     /* angular_rate [rad/s, in l] */
-    outside |= take_centred(y[13], 1000000000.0, &in->angular_rate_x_2);
-    outside |= take_centred(y[14], 1000000000.0, &in->angular_rate_y_2);
-    outside |= take_centred(y[15], 1000000000.0, &in->angular_rate_z_2);
+    outside |= take_centred(y[13 * stride], 1000000000.0, &in->angular_rate_x_2);
+    outside |= take_centred(y[14 * stride], 1000000000.0, &in->angular_rate_y_2);
+    outside |= take_centred(y[15 * stride], 1000000000.0, &in->angular_rate_z_2);
 
     /* angular_acceleration [rad/s^2, in l] */
-    outside |= take_centred(y[16], 1000000000.0, &in->angular_acceleration_x_2);
-    outside |= take_centred(y[17], 1000000000.0, &in->angular_acceleration_y_2);
-    outside |= take_centred(y[18], 1000000000.0, &in->angular_acceleration_z_2);
+    outside |= take_centred(y[16 * stride], 1000000000.0, &in->angular_acceleration_x_2);
+    outside |= take_centred(y[17 * stride], 1000000000.0, &in->angular_acceleration_y_2);
+    outside |= take_centred(y[18 * stride], 1000000000.0, &in->angular_acceleration_z_2);
 
     /* heading [rad, g -> l] */
-    outside |= take_centred(y[19], 3.141592653589793, &in->heading_2);
+    outside |= take_centred(y[19 * stride], 3.141592653589793, &in->heading_2);
 
     /* antenna_1 [m, in b] */
-    outside |= take_centred(y[20], 50.0, &in->antenna_1_x_2);
-    outside |= take_centred(y[21], 50.0, &in->antenna_1_y_2);
-    outside |= take_centred(y[22], 50.0, &in->antenna_1_z_2);
+    outside |= take_centred(y[20 * stride], 50.0, &in->antenna_1_x_2);
+    outside |= take_centred(y[21 * stride], 50.0, &in->antenna_1_y_2);
+    outside |= take_centred(y[22 * stride], 50.0, &in->antenna_1_z_2);
 
     /* antenna_2 [m, in b] */
-    outside |= take_centred(y[23], 50.0, &in->antenna_2_x_2);
-    outside |= take_centred(y[24], 50.0, &in->antenna_2_y_2);
-    outside |= take_centred(y[25], 50.0, &in->antenna_2_z_2);
+    outside |= take_centred(y[23 * stride], 50.0, &in->antenna_2_x_2);
+    outside |= take_centred(y[24 * stride], 50.0, &in->antenna_2_y_2);
+    outside |= take_centred(y[25 * stride], 50.0, &in->antenna_2_z_2);
 
     return (outside != 0U) ? (flag_t)EKF_CAL_ONLINE_RANGE :
         ((skewed != 0U) ? (flag_t)EKF_CAL_ONLINE_QNORM : (flag_t)EKF_CAL_ONLINE_OK);
+}
+
+/* Copy the inputs of one call that has passed its checks. */
+EKF_CAL_ONLINE_INLINE void local_copy(
+    const ekf_cal_online_real_t x[],
+    const ekf_cal_online_real_t y[],
+    int32_t stride,
+    local_input_t *in)
+{
+    in->position_x = x[0];
+    in->position_y = x[stride];
+    in->position_z = x[2 * stride];
+    in->velocity_x = x[3 * stride];
+    in->velocity_y = x[4 * stride];
+    in->velocity_z = x[5 * stride];
+    in->acceleration_x = x[6 * stride];
+    in->acceleration_y = x[7 * stride];
+    in->acceleration_z = x[8 * stride];
+    in->attitude_w = x[9 * stride];
+    in->attitude_x = x[10 * stride];
+    in->attitude_y = x[11 * stride];
+    in->attitude_z = x[12 * stride];
+    in->angular_rate_x = x[13 * stride];
+    in->angular_rate_y = x[14 * stride];
+    in->angular_rate_z = x[15 * stride];
+    in->angular_acceleration_x = x[16 * stride];
+    in->angular_acceleration_y = x[17 * stride];
+    in->angular_acceleration_z = x[18 * stride];
+    in->heading = x[19 * stride];
+    in->antenna_1_x = x[20 * stride];
+    in->antenna_1_y = x[21 * stride];
+    in->antenna_1_z = x[22 * stride];
+    in->antenna_2_x = x[23 * stride];
+    in->antenna_2_y = x[24 * stride];
+    in->antenna_2_z = x[25 * stride];
+    in->position_x_2 = y[0];
+    in->position_y_2 = y[stride];
+    in->position_z_2 = y[2 * stride];
+    in->velocity_x_2 = y[3 * stride];
+    in->velocity_y_2 = y[4 * stride];
+    in->velocity_z_2 = y[5 * stride];
+    in->acceleration_x_2 = y[6 * stride];
+    in->acceleration_y_2 = y[7 * stride];
+    in->acceleration_z_2 = y[8 * stride];
+    in->attitude_w_2 = y[9 * stride];
+    in->attitude_x_2 = y[10 * stride];
+    in->attitude_y_2 = y[11 * stride];
+    in->attitude_z_2 = y[12 * stride];
+    in->angular_rate_x_2 = y[13 * stride];
+    in->angular_rate_y_2 = y[14 * stride];
+    in->angular_rate_z_2 = y[15 * stride];
+    in->angular_acceleration_x_2 = y[16 * stride];
+    in->angular_acceleration_y_2 = y[17 * stride];
+    in->angular_acceleration_z_2 = y[18 * stride];
+    in->heading_2 = y[19 * stride];
+    in->antenna_1_x_2 = y[20 * stride];
+    in->antenna_1_y_2 = y[21 * stride];
+    in->antenna_1_z_2 = y[22 * stride];
+    in->antenna_2_x_2 = y[23 * stride];
+    in->antenna_2_y_2 = y[24 * stride];
+    in->antenna_2_z_2 = y[25 * stride];
 }
 
 /* Error between two states: values and structural non-zeros. */

@@ -75,6 +75,7 @@ typedef struct {
 EKF_CAL_ONLINE_INLINE flag_t retract_load(
     const ekf_cal_online_real_t x[],
     const ekf_cal_online_real_t d[],
+    int32_t stride,
     retract_input_t *in)
 {
     flag_t outside = 0U;
@@ -82,95 +83,155 @@ EKF_CAL_ONLINE_INLINE flag_t retract_load(
 
     /* position [m, in l] */
     outside |= take_centred(x[0], 1000000.0, &in->position_x);
-    outside |= take_centred(x[1], 1000000.0, &in->position_y);
-    outside |= take_centred(x[2], 1000000.0, &in->position_z);
+    outside |= take_centred(x[stride], 1000000.0, &in->position_y);
+    outside |= take_centred(x[2 * stride], 1000000.0, &in->position_z);
 
     /* velocity [m/s, in l] */
-    outside |= take_centred(x[3], 1000000000.0, &in->velocity_x);
-    outside |= take_centred(x[4], 1000000000.0, &in->velocity_y);
-    outside |= take_centred(x[5], 1000000000.0, &in->velocity_z);
+    outside |= take_centred(x[3 * stride], 1000000000.0, &in->velocity_x);
+    outside |= take_centred(x[4 * stride], 1000000000.0, &in->velocity_y);
+    outside |= take_centred(x[5 * stride], 1000000000.0, &in->velocity_z);
 
     /* acceleration [m/s^2, in l] */
-    outside |= take_centred(x[6], 1000000000.0, &in->acceleration_x);
-    outside |= take_centred(x[7], 1000000000.0, &in->acceleration_y);
-    outside |= take_centred(x[8], 1000000000.0, &in->acceleration_z);
+    outside |= take_centred(x[6 * stride], 1000000000.0, &in->acceleration_x);
+    outside |= take_centred(x[7 * stride], 1000000000.0, &in->acceleration_y);
+    outside |= take_centred(x[8 * stride], 1000000000.0, &in->acceleration_z);
 
     /* attitude [b -> l] */
-    outside |= take_centred(x[9], 1.00001, &in->attitude_w);
-    outside |= take_centred(x[10], 1.00001, &in->attitude_x);
-    outside |= take_centred(x[11], 1.00001, &in->attitude_y);
-    outside |= take_centred(x[12], 1.00001, &in->attitude_z);
+    outside |= take_centred(x[9 * stride], 1.00001, &in->attitude_w);
+    outside |= take_centred(x[10 * stride], 1.00001, &in->attitude_x);
+    outside |= take_centred(x[11 * stride], 1.00001, &in->attitude_y);
+    outside |= take_centred(x[12 * stride], 1.00001, &in->attitude_z);
     skewed |= is_skewed_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z,
         1.0e-05);
 
     /* angular_rate [rad/s, in l] */
-    outside |= take_centred(x[13], 1000000000.0, &in->angular_rate_x);
-    outside |= take_centred(x[14], 1000000000.0, &in->angular_rate_y);
-    outside |= take_centred(x[15], 1000000000.0, &in->angular_rate_z);
+    outside |= take_centred(x[13 * stride], 1000000000.0, &in->angular_rate_x);
+    outside |= take_centred(x[14 * stride], 1000000000.0, &in->angular_rate_y);
+    outside |= take_centred(x[15 * stride], 1000000000.0, &in->angular_rate_z);
 
     /* angular_acceleration [rad/s^2, in l] */
-    outside |= take_centred(x[16], 1000000000.0, &in->angular_acceleration_x);
-    outside |= take_centred(x[17], 1000000000.0, &in->angular_acceleration_y);
-    outside |= take_centred(x[18], 1000000000.0, &in->angular_acceleration_z);
+    outside |= take_centred(x[16 * stride], 1000000000.0, &in->angular_acceleration_x);
+    outside |= take_centred(x[17 * stride], 1000000000.0, &in->angular_acceleration_y);
+    outside |= take_centred(x[18 * stride], 1000000000.0, &in->angular_acceleration_z);
 
     /* heading [rad, g -> l] */
-    outside |= take_centred(x[19], 3.141592653589793, &in->heading);
+    outside |= take_centred(x[19 * stride], 3.141592653589793, &in->heading);
 
     /* antenna_1 [m, in b] */
-    outside |= take_centred(x[20], 50.0, &in->antenna_1_x);
-    outside |= take_centred(x[21], 50.0, &in->antenna_1_y);
-    outside |= take_centred(x[22], 50.0, &in->antenna_1_z);
+    outside |= take_centred(x[20 * stride], 50.0, &in->antenna_1_x);
+    outside |= take_centred(x[21 * stride], 50.0, &in->antenna_1_y);
+    outside |= take_centred(x[22 * stride], 50.0, &in->antenna_1_z);
 
     /* antenna_2 [m, in b] */
-    outside |= take_centred(x[23], 50.0, &in->antenna_2_x);
-    outside |= take_centred(x[24], 50.0, &in->antenna_2_y);
-    outside |= take_centred(x[25], 50.0, &in->antenna_2_z);
+    outside |= take_centred(x[23 * stride], 50.0, &in->antenna_2_x);
+    outside |= take_centred(x[24 * stride], 50.0, &in->antenna_2_y);
+    outside |= take_centred(x[25 * stride], 50.0, &in->antenna_2_z);
 
     /* position [m, in l] */
     outside |= take_centred(d[0], 1000000000.0, &in->position_x_2);
-    outside |= take_centred(d[1], 1000000000.0, &in->position_y_2);
-    outside |= take_centred(d[2], 1000000000.0, &in->position_z_2);
+    outside |= take_centred(d[stride], 1000000000.0, &in->position_y_2);
+    outside |= take_centred(d[2 * stride], 1000000000.0, &in->position_z_2);
 
     /* velocity [m/s, in l] */
-    outside |= take_centred(d[3], 1000000000.0, &in->velocity_x_2);
-    outside |= take_centred(d[4], 1000000000.0, &in->velocity_y_2);
-    outside |= take_centred(d[5], 1000000000.0, &in->velocity_z_2);
+    outside |= take_centred(d[3 * stride], 1000000000.0, &in->velocity_x_2);
+    outside |= take_centred(d[4 * stride], 1000000000.0, &in->velocity_y_2);
+    outside |= take_centred(d[5 * stride], 1000000000.0, &in->velocity_z_2);
 
     /* acceleration [m/s^2, in l] */
-    outside |= take_centred(d[6], 1000000000.0, &in->acceleration_x_2);
-    outside |= take_centred(d[7], 1000000000.0, &in->acceleration_y_2);
-    outside |= take_centred(d[8], 1000000000.0, &in->acceleration_z_2);
+    outside |= take_centred(d[6 * stride], 1000000000.0, &in->acceleration_x_2);
+    outside |= take_centred(d[7 * stride], 1000000000.0, &in->acceleration_y_2);
+    outside |= take_centred(d[8 * stride], 1000000000.0, &in->acceleration_z_2);
 
     /* attitude [rad, in b] */
-    outside |= take_centred(d[9], 6.0, &in->attitude_x_2);
-    outside |= take_centred(d[10], 6.0, &in->attitude_y_2);
-    outside |= take_centred(d[11], 6.0, &in->attitude_z_2);
+    outside |= take_centred(d[9 * stride], 6.0, &in->attitude_x_2);
+    outside |= take_centred(d[10 * stride], 6.0, &in->attitude_y_2);
+    outside |= take_centred(d[11 * stride], 6.0, &in->attitude_z_2);
 
     /* angular_rate [rad/s, in l] */
-    outside |= take_centred(d[12], 1000000000.0, &in->angular_rate_x_2);
-    outside |= take_centred(d[13], 1000000000.0, &in->angular_rate_y_2);
-    outside |= take_centred(d[14], 1000000000.0, &in->angular_rate_z_2);
+    outside |= take_centred(d[12 * stride], 1000000000.0, &in->angular_rate_x_2);
+    outside |= take_centred(d[13 * stride], 1000000000.0, &in->angular_rate_y_2);
+    outside |= take_centred(d[14 * stride], 1000000000.0, &in->angular_rate_z_2);
 
     /* angular_acceleration [rad/s^2, in l] */
-    outside |= take_centred(d[15], 1000000000.0, &in->angular_acceleration_x_2);
-    outside |= take_centred(d[16], 1000000000.0, &in->angular_acceleration_y_2);
-    outside |= take_centred(d[17], 1000000000.0, &in->angular_acceleration_z_2);
+    outside |= take_centred(d[15 * stride], 1000000000.0, &in->angular_acceleration_x_2);
+    outside |= take_centred(d[16 * stride], 1000000000.0, &in->angular_acceleration_y_2);
+    outside |= take_centred(d[17 * stride], 1000000000.0, &in->angular_acceleration_z_2);
 
     /* heading [rad] */
-    outside |= take_centred(d[18], 6.0, &in->heading_2);
+    outside |= take_centred(d[18 * stride], 6.0, &in->heading_2);
 
     /* antenna_1 [m, in b] */
-    outside |= take_centred(d[19], 1000000000.0, &in->antenna_1_x_2);
-    outside |= take_centred(d[20], 1000000000.0, &in->antenna_1_y_2);
-    outside |= take_centred(d[21], 1000000000.0, &in->antenna_1_z_2);
+    outside |= take_centred(d[19 * stride], 1000000000.0, &in->antenna_1_x_2);
+    outside |= take_centred(d[20 * stride], 1000000000.0, &in->antenna_1_y_2);
+    outside |= take_centred(d[21 * stride], 1000000000.0, &in->antenna_1_z_2);
 
     /* antenna_2 [m, in b] */
-    outside |= take_centred(d[22], 1000000000.0, &in->antenna_2_x_2);
-    outside |= take_centred(d[23], 1000000000.0, &in->antenna_2_y_2);
-    outside |= take_centred(d[24], 1000000000.0, &in->antenna_2_z_2);
+    outside |= take_centred(d[22 * stride], 1000000000.0, &in->antenna_2_x_2);
+    outside |= take_centred(d[23 * stride], 1000000000.0, &in->antenna_2_y_2);
+    outside |= take_centred(d[24 * stride], 1000000000.0, &in->antenna_2_z_2);
 
     return (outside != 0U) ? (flag_t)EKF_CAL_ONLINE_RANGE :
         ((skewed != 0U) ? (flag_t)EKF_CAL_ONLINE_QNORM : (flag_t)EKF_CAL_ONLINE_OK);
+}
+
+/* Copy the inputs of one call that has passed its checks. */
+EKF_CAL_ONLINE_INLINE void retract_copy(
+    const ekf_cal_online_real_t x[],
+    const ekf_cal_online_real_t d[],
+    int32_t stride,
+    retract_input_t *in)
+{
+    in->position_x = x[0];
+    in->position_y = x[stride];
+    in->position_z = x[2 * stride];
+    in->velocity_x = x[3 * stride];
+    in->velocity_y = x[4 * stride];
+    in->velocity_z = x[5 * stride];
+    in->acceleration_x = x[6 * stride];
+    in->acceleration_y = x[7 * stride];
+    in->acceleration_z = x[8 * stride];
+    in->attitude_w = x[9 * stride];
+    in->attitude_x = x[10 * stride];
+    in->attitude_y = x[11 * stride];
+    in->attitude_z = x[12 * stride];
+    in->angular_rate_x = x[13 * stride];
+    in->angular_rate_y = x[14 * stride];
+    in->angular_rate_z = x[15 * stride];
+    in->angular_acceleration_x = x[16 * stride];
+    in->angular_acceleration_y = x[17 * stride];
+    in->angular_acceleration_z = x[18 * stride];
+    in->heading = x[19 * stride];
+    in->antenna_1_x = x[20 * stride];
+    in->antenna_1_y = x[21 * stride];
+    in->antenna_1_z = x[22 * stride];
+    in->antenna_2_x = x[23 * stride];
+    in->antenna_2_y = x[24 * stride];
+    in->antenna_2_z = x[25 * stride];
+    in->position_x_2 = d[0];
+    in->position_y_2 = d[stride];
+    in->position_z_2 = d[2 * stride];
+    in->velocity_x_2 = d[3 * stride];
+    in->velocity_y_2 = d[4 * stride];
+    in->velocity_z_2 = d[5 * stride];
+    in->acceleration_x_2 = d[6 * stride];
+    in->acceleration_y_2 = d[7 * stride];
+    in->acceleration_z_2 = d[8 * stride];
+    in->attitude_x_2 = d[9 * stride];
+    in->attitude_y_2 = d[10 * stride];
+    in->attitude_z_2 = d[11 * stride];
+    in->angular_rate_x_2 = d[12 * stride];
+    in->angular_rate_y_2 = d[13 * stride];
+    in->angular_rate_z_2 = d[14 * stride];
+    in->angular_acceleration_x_2 = d[15 * stride];
+    in->angular_acceleration_y_2 = d[16 * stride];
+    in->angular_acceleration_z_2 = d[17 * stride];
+    in->heading_2 = d[18 * stride];
+    in->antenna_1_x_2 = d[19 * stride];
+    in->antenna_1_y_2 = d[20 * stride];
+    in->antenna_1_z_2 = d[21 * stride];
+    in->antenna_2_x_2 = d[22 * stride];
+    in->antenna_2_y_2 = d[23 * stride];
+    in->antenna_2_z_2 = d[24 * stride];
 }
 
 /* State moved by an error: values and structural non-zeros. */

@@ -9,15 +9,6 @@
 
 #include "farrell_tightly_coupled_local_kernel.h"
 
-/* Epochs a batch evaluates side by side. */
-#define FARRELL_TIGHTLY_COUPLED_LOCAL_LANES 64
-
-/** Non-zeros of a block of epochs, each stored contiguously across the epochs. */
-typedef struct {
-    farrell_tightly_coupled_real_t value[17 * FARRELL_TIGHTLY_COUPLED_LOCAL_LANES];
-    flag_t status[FARRELL_TIGHTLY_COUPLED_LOCAL_LANES];
-} local_block_t;
-
 /* Store the non-zeros of value, a stride apart. */
 FARRELL_TIGHTLY_COUPLED_INLINE void local_put_value(
     const local_output_t *out,
@@ -80,7 +71,7 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_local(
         local_input_t in;
         local_output_t out;
 
-        status = (farrell_tightly_coupled_status_t)local_load(x, y, &in);
+        status = (farrell_tightly_coupled_status_t)local_load(x, y, 1, &in);
         if (status == FARRELL_TIGHTLY_COUPLED_OK) {
             status = (farrell_tightly_coupled_status_t)local_kernel(&in, &out);
         }
@@ -91,23 +82,116 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_local(
     return status;
 }
 
-/* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static FARRELL_TIGHTLY_COUPLED_WIDE void local_lanes(
+/* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
+static FARRELL_TIGHTLY_COUPLED_WIDE flag_t local_check_lanes(
     int32_t count,
-    const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT], ptrdiff_t x_step,
-    const farrell_tightly_coupled_real_t y[FARRELL_TIGHTLY_COUPLED_RESTRICT], ptrdiff_t y_step,
-    local_block_t *FARRELL_TIGHTLY_COUPLED_RESTRICT block)
+    const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    const farrell_tightly_coupled_real_t y[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    flag_t codes[FARRELL_TIGHTLY_COUPLED_RESTRICT FARRELL_TIGHTLY_COUPLED_LOCAL_LANES])
+{
+    flag_t failed = 0U;
+
+    FARRELL_TIGHTLY_COUPLED_IVDEP
+    for (int32_t lane = 0; lane < count; ++lane) {
+        local_input_t in;
+        local_output_t out;
+        const flag_t loaded =
+            local_load(&x[lane], &y[lane], FARRELL_TIGHTLY_COUPLED_LOCAL_LANES, &in);
+        const flag_t evaluated = local_kernel(&in, &out);
+
+        codes[lane] = first_failure(loaded, evaluated);
+        failed |= codes[lane];
+    }
+    return failed;
+}
+
+/* Evaluate epochs side by side that have passed their checks. */
+static FARRELL_TIGHTLY_COUPLED_WIDE void local_evaluate_lanes(
+    int32_t count,
+    const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    const farrell_tightly_coupled_real_t y[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    farrell_tightly_coupled_real_t value[FARRELL_TIGHTLY_COUPLED_RESTRICT])
 {
     FARRELL_TIGHTLY_COUPLED_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         local_input_t in;
         local_output_t out;
-        const flag_t loaded = local_load(&x[lane * x_step], &y[lane * y_step], &in);
-        const flag_t evaluated = local_kernel(&in, &out);
 
-        block->status[lane] = first_failure(loaded, evaluated);
-        local_put_value(&out, FARRELL_TIGHTLY_COUPLED_LOCAL_LANES, &block->value[lane]);
+        local_copy(&x[lane], &y[lane], FARRELL_TIGHTLY_COUPLED_LOCAL_LANES, &in);
+        (void)local_kernel(&in, &out);
+        local_put_value(&out, FARRELL_TIGHTLY_COUPLED_LOCAL_LANES, &value[lane]);
     }
+}
+
+/* One block: outputs of lanes that fail stay as they are. */
+static farrell_tightly_coupled_status_t local_block(
+    int32_t count,
+    const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    const farrell_tightly_coupled_real_t y[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    farrell_tightly_coupled_real_t value[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    uint8_t status[FARRELL_TIGHTLY_COUPLED_RESTRICT])
+{
+    flag_t codes[FARRELL_TIGHTLY_COUPLED_LOCAL_LANES];
+    const flag_t failed = local_check_lanes(count, x, y, codes);
+
+    for (int32_t lane = 0; lane < count; ++lane) {
+        status[lane] = (uint8_t)codes[lane];
+    }
+    if (failed == (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+        local_evaluate_lanes(count, x, y, value);
+    } else {
+        for (int32_t lane = 0; lane < count; ++lane) {
+            if (codes[lane] == (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+                local_evaluate_lanes(1, &x[lane], &y[lane], &value[lane]);
+            }
+        }
+    }
+    return (failed == (flag_t)FARRELL_TIGHTLY_COUPLED_OK) ? FARRELL_TIGHTLY_COUPLED_OK :
+        FARRELL_TIGHTLY_COUPLED_PARTIAL;
+}
+
+farrell_tightly_coupled_status_t farrell_tightly_coupled_local_blocks(
+    int32_t epochs,
+    const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    const farrell_tightly_coupled_real_t y[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    farrell_tightly_coupled_real_t value[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    uint8_t status[FARRELL_TIGHTLY_COUPLED_RESTRICT])
+{
+    farrell_tightly_coupled_status_t result = FARRELL_TIGHTLY_COUPLED_NULL;
+
+    if ((x != NULL) && (y != NULL) && (value != NULL) && (status != NULL)) {
+        result = (epochs < 0) ? FARRELL_TIGHTLY_COUPLED_COUNT : FARRELL_TIGHTLY_COUPLED_OK;
+        for (ptrdiff_t first = 0; first < epochs; first += FARRELL_TIGHTLY_COUPLED_LOCAL_LANES) {
+            const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < FARRELL_TIGHTLY_COUPLED_LOCAL_LANES) ? (int32_t)rest :
+                FARRELL_TIGHTLY_COUPLED_LOCAL_LANES;
+            const farrell_tightly_coupled_status_t outcome = local_block(count, &x[18 * first],
+                &y[18 * first], &value[17 * first], &status[first]);
+
+            result = (outcome == FARRELL_TIGHTLY_COUPLED_OK) ? result : outcome;
+        }
+    }
+    return result;
+}
+
+/** A block of epochs. */
+typedef struct {
+    farrell_tightly_coupled_real_t x[18 * FARRELL_TIGHTLY_COUPLED_LOCAL_LANES];
+    farrell_tightly_coupled_real_t y[18 * FARRELL_TIGHTLY_COUPLED_LOCAL_LANES];
+    farrell_tightly_coupled_real_t value[17 * FARRELL_TIGHTLY_COUPLED_LOCAL_LANES];
+} local_block_t;
+
+/* Lay rows of epochs side by side. */
+static void local_gather(
+    int32_t count,
+    const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    ptrdiff_t x_step,
+    const farrell_tightly_coupled_real_t y[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    ptrdiff_t y_step,
+    local_block_t *FARRELL_TIGHTLY_COUPLED_RESTRICT block)
+{
+    rows_to_lanes(count, x, x_step, 18, FARRELL_TIGHTLY_COUPLED_LOCAL_LANES, block->x);
+    rows_to_lanes(count, y, y_step, 18, FARRELL_TIGHTLY_COUPLED_LOCAL_LANES, block->y);
 }
 
 farrell_tightly_coupled_status_t farrell_tightly_coupled_local_batch(
@@ -123,26 +207,20 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_local_batch(
 
     if ((x != NULL) && (y != NULL) && (value != NULL) && (status != NULL)) {
         local_block_t block;
-        int32_t count;
 
         result = (epochs < 0) ? FARRELL_TIGHTLY_COUPLED_COUNT : FARRELL_TIGHTLY_COUPLED_OK;
-        for (ptrdiff_t first = 0; first < epochs; first += count) {
+        for (ptrdiff_t first = 0; first < epochs; first += FARRELL_TIGHTLY_COUPLED_LOCAL_LANES) {
             const ptrdiff_t rest = epochs - first;
-
-            count = (rest < FARRELL_TIGHTLY_COUPLED_LOCAL_LANES) ? (int32_t)rest :
+            const int32_t count = (rest < FARRELL_TIGHTLY_COUPLED_LOCAL_LANES) ? (int32_t)rest :
                 FARRELL_TIGHTLY_COUPLED_LOCAL_LANES;
-                local_lanes(count, &x[first * x_step], x_step, &y[first * y_step], y_step, &block);
-            for (int32_t lane = 0; lane < count; ++lane) {
-                const ptrdiff_t epoch = first + lane;
 
-                status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
-                    local_fill_value(&block.value[lane], FARRELL_TIGHTLY_COUPLED_LOCAL_LANES,
-                        &value[17 * epoch]);
-                } else {
-                    result = FARRELL_TIGHTLY_COUPLED_PARTIAL;
-                }
-            }
+            local_gather(count, &x[first * x_step], x_step, &y[first * y_step], y_step, &block);
+            const farrell_tightly_coupled_status_t outcome =
+                local_block(count, block.x, block.y, block.value, &status[first]);
+
+            result = (outcome == FARRELL_TIGHTLY_COUPLED_OK) ? result : outcome;
+            lanes_to_rows(count, &status[first], block.value, 17,
+                FARRELL_TIGHTLY_COUPLED_LOCAL_LANES, &value[17 * first]);
         }
     }
     return result;

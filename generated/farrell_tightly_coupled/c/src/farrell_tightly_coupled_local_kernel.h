@@ -60,6 +60,7 @@ typedef struct {
 FARRELL_TIGHTLY_COUPLED_INLINE flag_t local_load(
     const farrell_tightly_coupled_real_t x[],
     const farrell_tightly_coupled_real_t y[],
+    int32_t stride,
     local_input_t *in)
 {
     flag_t outside = 0U;
@@ -67,72 +68,117 @@ FARRELL_TIGHTLY_COUPLED_INLINE flag_t local_load(
 
     /* dp [m, in n] */
     outside |= take_centred(x[0], 1000000.0, &in->dp_x);
-    outside |= take_centred(x[1], 1000000.0, &in->dp_y);
-    outside |= take_centred(x[2], 1000000.0, &in->dp_z);
+    outside |= take_centred(x[stride], 1000000.0, &in->dp_y);
+    outside |= take_centred(x[2 * stride], 1000000.0, &in->dp_z);
 
     /* b_u [m] */
-    outside |= take_centred(x[3], 100000000.0, &in->b_u);
+    outside |= take_centred(x[3 * stride], 100000000.0, &in->b_u);
 
     /* dv [m/s, in n] */
-    outside |= take_centred(x[4], 1000000000.0, &in->dv_x);
-    outside |= take_centred(x[5], 1000000000.0, &in->dv_y);
-    outside |= take_centred(x[6], 1000000000.0, &in->dv_z);
+    outside |= take_centred(x[4 * stride], 1000000000.0, &in->dv_x);
+    outside |= take_centred(x[5 * stride], 1000000000.0, &in->dv_y);
+    outside |= take_centred(x[6 * stride], 1000000000.0, &in->dv_z);
 
     /* b_u_dot [m/s] */
-    outside |= take_centred(x[7], 1000000000.0, &in->b_u_dot);
+    outside |= take_centred(x[7 * stride], 1000000000.0, &in->b_u_dot);
 
     /* drho [b -> n] */
-    outside |= take_centred(x[8], 1.00001, &in->drho_w);
-    outside |= take_centred(x[9], 1.00001, &in->drho_x);
-    outside |= take_centred(x[10], 1.00001, &in->drho_y);
-    outside |= take_centred(x[11], 1.00001, &in->drho_z);
+    outside |= take_centred(x[8 * stride], 1.00001, &in->drho_w);
+    outside |= take_centred(x[9 * stride], 1.00001, &in->drho_x);
+    outside |= take_centred(x[10 * stride], 1.00001, &in->drho_y);
+    outside |= take_centred(x[11 * stride], 1.00001, &in->drho_z);
     skewed |= is_skewed_quaternion(in->drho_w, in->drho_x, in->drho_y, in->drho_z, 1.0e-05);
 
     /* x_a [m/s^2, in b] */
-    outside |= take_centred(x[12], 1000000000.0, &in->x_a_x);
-    outside |= take_centred(x[13], 1000000000.0, &in->x_a_y);
-    outside |= take_centred(x[14], 1000000000.0, &in->x_a_z);
+    outside |= take_centred(x[12 * stride], 1000000000.0, &in->x_a_x);
+    outside |= take_centred(x[13 * stride], 1000000000.0, &in->x_a_y);
+    outside |= take_centred(x[14 * stride], 1000000000.0, &in->x_a_z);
 
     /* x_g [rad/s, in b] */
-    outside |= take_centred(x[15], 1000000000.0, &in->x_g_x);
-    outside |= take_centred(x[16], 1000000000.0, &in->x_g_y);
-    outside |= take_centred(x[17], 1000000000.0, &in->x_g_z);
+    outside |= take_centred(x[15 * stride], 1000000000.0, &in->x_g_x);
+    outside |= take_centred(x[16 * stride], 1000000000.0, &in->x_g_y);
+    outside |= take_centred(x[17 * stride], 1000000000.0, &in->x_g_z);
 
     /* dp [m, in n] */
     outside |= take_centred(y[0], 1000000.0, &in->dp_x_2);
-    outside |= take_centred(y[1], 1000000.0, &in->dp_y_2);
-    outside |= take_centred(y[2], 1000000.0, &in->dp_z_2);
+    outside |= take_centred(y[stride], 1000000.0, &in->dp_y_2);
+    outside |= take_centred(y[2 * stride], 1000000.0, &in->dp_z_2);
 
     /* b_u [m] */
-    outside |= take_centred(y[3], 100000000.0, &in->b_u_2);
+    outside |= take_centred(y[3 * stride], 100000000.0, &in->b_u_2);
 
     /* dv [m/s, in n] */
-    outside |= take_centred(y[4], 1000000000.0, &in->dv_x_2);
-    outside |= take_centred(y[5], 1000000000.0, &in->dv_y_2);
-    outside |= take_centred(y[6], 1000000000.0, &in->dv_z_2);
+    outside |= take_centred(y[4 * stride], 1000000000.0, &in->dv_x_2);
+    outside |= take_centred(y[5 * stride], 1000000000.0, &in->dv_y_2);
+    outside |= take_centred(y[6 * stride], 1000000000.0, &in->dv_z_2);
 
     /* b_u_dot [m/s] */
-    outside |= take_centred(y[7], 1000000000.0, &in->b_u_dot_2);
+    outside |= take_centred(y[7 * stride], 1000000000.0, &in->b_u_dot_2);
 
     /* drho [b -> n] */
-    outside |= take_centred(y[8], 1.00001, &in->drho_w_2);
-    outside |= take_centred(y[9], 1.00001, &in->drho_x_2);
-    outside |= take_centred(y[10], 1.00001, &in->drho_y_2);
-    outside |= take_centred(y[11], 1.00001, &in->drho_z_2);
+    outside |= take_centred(y[8 * stride], 1.00001, &in->drho_w_2);
+    outside |= take_centred(y[9 * stride], 1.00001, &in->drho_x_2);
+    outside |= take_centred(y[10 * stride], 1.00001, &in->drho_y_2);
+    outside |= take_centred(y[11 * stride], 1.00001, &in->drho_z_2);
     skewed |= is_skewed_quaternion(in->drho_w_2, in->drho_x_2, in->drho_y_2, in->drho_z_2, 1.0e-05);
 
     /* x_a [m/s^2, in b] */
-    outside |= take_centred(y[12], 1000000000.0, &in->x_a_x_2);
-    outside |= take_centred(y[13], 1000000000.0, &in->x_a_y_2);
-    outside |= take_centred(y[14], 1000000000.0, &in->x_a_z_2);
+    outside |= take_centred(y[12 * stride], 1000000000.0, &in->x_a_x_2);
+    outside |= take_centred(y[13 * stride], 1000000000.0, &in->x_a_y_2);
+    outside |= take_centred(y[14 * stride], 1000000000.0, &in->x_a_z_2);
 
     /* x_g [rad/s, in b] */
-    outside |= take_centred(y[15], 1000000000.0, &in->x_g_x_2);
-    outside |= take_centred(y[16], 1000000000.0, &in->x_g_y_2);
-    outside |= take_centred(y[17], 1000000000.0, &in->x_g_z_2);
+    outside |= take_centred(y[15 * stride], 1000000000.0, &in->x_g_x_2);
+    outside |= take_centred(y[16 * stride], 1000000000.0, &in->x_g_y_2);
+    outside |= take_centred(y[17 * stride], 1000000000.0, &in->x_g_z_2);
 
     return (outside != 0U) ? (flag_t)FARRELL_TIGHTLY_COUPLED_RANGE : ((skewed != 0U) ?
         (flag_t)FARRELL_TIGHTLY_COUPLED_QNORM : (flag_t)FARRELL_TIGHTLY_COUPLED_OK);
+}
+
+/* Copy the inputs of one call that has passed its checks. */
+FARRELL_TIGHTLY_COUPLED_INLINE void local_copy(
+    const farrell_tightly_coupled_real_t x[],
+    const farrell_tightly_coupled_real_t y[],
+    int32_t stride,
+    local_input_t *in)
+{
+    in->dp_x = x[0];
+    in->dp_y = x[stride];
+    in->dp_z = x[2 * stride];
+    in->b_u = x[3 * stride];
+    in->dv_x = x[4 * stride];
+    in->dv_y = x[5 * stride];
+    in->dv_z = x[6 * stride];
+    in->b_u_dot = x[7 * stride];
+    in->drho_w = x[8 * stride];
+    in->drho_x = x[9 * stride];
+    in->drho_y = x[10 * stride];
+    in->drho_z = x[11 * stride];
+    in->x_a_x = x[12 * stride];
+    in->x_a_y = x[13 * stride];
+    in->x_a_z = x[14 * stride];
+    in->x_g_x = x[15 * stride];
+    in->x_g_y = x[16 * stride];
+    in->x_g_z = x[17 * stride];
+    in->dp_x_2 = y[0];
+    in->dp_y_2 = y[stride];
+    in->dp_z_2 = y[2 * stride];
+    in->b_u_2 = y[3 * stride];
+    in->dv_x_2 = y[4 * stride];
+    in->dv_y_2 = y[5 * stride];
+    in->dv_z_2 = y[6 * stride];
+    in->b_u_dot_2 = y[7 * stride];
+    in->drho_w_2 = y[8 * stride];
+    in->drho_x_2 = y[9 * stride];
+    in->drho_y_2 = y[10 * stride];
+    in->drho_z_2 = y[11 * stride];
+    in->x_a_x_2 = y[12 * stride];
+    in->x_a_y_2 = y[13 * stride];
+    in->x_a_z_2 = y[14 * stride];
+    in->x_g_x_2 = y[15 * stride];
+    in->x_g_y_2 = y[16 * stride];
+    in->x_g_z_2 = y[17 * stride];
 }
 
 /* Error between two states: values and structural non-zeros. */

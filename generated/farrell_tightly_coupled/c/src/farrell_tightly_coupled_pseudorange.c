@@ -429,6 +429,7 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_jacobian(
 
 /* Non-zeros straight into the caller's columns, neighbouring items in one vector register. */
 FARRELL_TIGHTLY_COUPLED_INLINE void pseudorange_columns(
+    int32_t stride,
     const pseudorange_input_t *FARRELL_TIGHTLY_COUPLED_RESTRICT in,
     const pseudorange_shared_t *FARRELL_TIGHTLY_COUPLED_RESTRICT shared,
     int32_t count,
@@ -453,9 +454,57 @@ FARRELL_TIGHTLY_COUPLED_INLINE void pseudorange_columns(
         codes[i] = first_failure(loaded, evaluated);
         pseudorange_fill_value(out.value, &value[i]);
         pseudorange_fill_residual(out.residual, &residual[i]);
-        pseudorange_put_jacobian(&out, FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS,
-            &jacobian_nz[i]);
+        pseudorange_put_jacobian(&out, stride, &jacobian_nz[i]);
     }
+}
+
+/* The same with all that comes before and after; columns are a stride apart. */
+FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_status_t pseudorange_sparse(
+    int32_t stride,
+    const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT
+        FARRELL_TIGHTLY_COUPLED_STATE_SIZE],
+    int32_t n,
+    const farrell_tightly_coupled_real_t c_n_e[FARRELL_TIGHTLY_COUPLED_RESTRICT 9],
+    const farrell_tightly_coupled_real_t origin[FARRELL_TIGHTLY_COUPLED_RESTRICT 3],
+    const farrell_tightly_coupled_real_t satellite_position[FARRELL_TIGHTLY_COUPLED_RESTRICT
+        FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS * 3],
+    const farrell_tightly_coupled_real_t measured[FARRELL_TIGHTLY_COUPLED_RESTRICT
+        FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS],
+    farrell_tightly_coupled_real_t value[FARRELL_TIGHTLY_COUPLED_RESTRICT
+        FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS],
+    farrell_tightly_coupled_real_t residual[FARRELL_TIGHTLY_COUPLED_RESTRICT
+        FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS],
+    farrell_tightly_coupled_real_t jacobian_nz[FARRELL_TIGHTLY_COUPLED_RESTRICT 4 *
+        FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS],
+    uint8_t item_status[FARRELL_TIGHTLY_COUPLED_RESTRICT
+        FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS])
+{
+    pseudorange_input_t in;
+    pseudorange_shared_t shared;
+    farrell_tightly_coupled_status_t status =
+        (farrell_tightly_coupled_status_t)pseudorange_load(x, c_n_e, origin, &in);
+
+    if (status == FARRELL_TIGHTLY_COUPLED_OK) {
+        status = (farrell_tightly_coupled_status_t)pseudorange_shared(&in, &shared);
+        if (status == FARRELL_TIGHTLY_COUPLED_OK) {
+            flag_t codes[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS];
+
+            pseudorange_columns(stride, &in, &shared, n, satellite_position, measured, value,
+                residual, jacobian_nz, codes);
+            for (int32_t i = 0; i < n; ++i) {
+                item_status[i] = (uint8_t)codes[i];
+                if (codes[i] != (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+                    pseudorange_clear_value(&value[i]);
+                    pseudorange_clear_residual(&residual[i]);
+                    for (int32_t k = 0; k < 4; ++k) {
+                        jacobian_nz[(k * stride) + i] = 0.0;
+                    }
+                    status = FARRELL_TIGHTLY_COUPLED_PARTIAL;
+                }
+            }
+        }
+    }
+    return status;
 }
 
 FARRELL_TIGHTLY_COUPLED_WIDE farrell_tightly_coupled_status_t
@@ -485,31 +534,8 @@ FARRELL_TIGHTLY_COUPLED_WIDE farrell_tightly_coupled_status_t
         (item_status != NULL)) {
         status = FARRELL_TIGHTLY_COUPLED_COUNT;
         if ((n >= 0) && (n <= FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS)) {
-            pseudorange_input_t in;
-            pseudorange_shared_t shared;
-
-            status = (farrell_tightly_coupled_status_t)pseudorange_load(x, c_n_e, origin, &in);
-            if (status == FARRELL_TIGHTLY_COUPLED_OK) {
-                status = (farrell_tightly_coupled_status_t)pseudorange_shared(&in, &shared);
-                if (status == FARRELL_TIGHTLY_COUPLED_OK) {
-                    flag_t codes[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS];
-
-                    pseudorange_columns(&in, &shared, n, satellite_position, measured, value,
-                        residual, jacobian_nz, codes);
-                    for (int32_t i = 0; i < n; ++i) {
-                        item_status[i] = (uint8_t)codes[i];
-                        if (codes[i] != (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
-                            pseudorange_clear_value(&value[i]);
-                            pseudorange_clear_residual(&residual[i]);
-                            for (int32_t k = 0; k < 4; ++k) {
-                                jacobian_nz[(k * FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS) +
-                                    i] = 0.0;
-                            }
-                            status = FARRELL_TIGHTLY_COUPLED_PARTIAL;
-                        }
-                    }
-                }
-            }
+            status = pseudorange_sparse(FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS, x, n, c_n_e,
+                origin, satellite_position, measured, value, residual, jacobian_nz, item_status);
         }
     }
     return status;
@@ -549,6 +575,51 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_batch(
                     &satellite_position[epoch * satellite_position_step],
                     &measured[epoch * measured_step], &value[epoch * n], &residual[epoch * n],
                     &jacobian[(17 * epoch) * n], &item_status[epoch * n]);
+
+                status[epoch] = (uint8_t)outcome;
+                if (outcome != FARRELL_TIGHTLY_COUPLED_OK) {
+                    result = FARRELL_TIGHTLY_COUPLED_PARTIAL;
+                }
+            }
+        }
+    }
+    return result;
+}
+
+FARRELL_TIGHTLY_COUPLED_WIDE farrell_tightly_coupled_status_t
+    farrell_tightly_coupled_pseudorange_batch_nz(
+    int32_t epochs,
+    const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    int32_t x_step,
+    int32_t n,
+    const farrell_tightly_coupled_real_t c_n_e[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    int32_t c_n_e_step,
+    const farrell_tightly_coupled_real_t origin[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    int32_t origin_step,
+    const farrell_tightly_coupled_real_t satellite_position[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    int32_t satellite_position_step,
+    const farrell_tightly_coupled_real_t measured[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    int32_t measured_step,
+    farrell_tightly_coupled_real_t value[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    farrell_tightly_coupled_real_t residual[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    farrell_tightly_coupled_real_t jacobian_nz[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    uint8_t status[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    uint8_t item_status[FARRELL_TIGHTLY_COUPLED_RESTRICT])
+{
+    farrell_tightly_coupled_status_t result = FARRELL_TIGHTLY_COUPLED_NULL;
+
+    if ((x != NULL) && (c_n_e != NULL) && (origin != NULL) && (satellite_position != NULL) &&
+        (measured != NULL) && (value != NULL) && (residual != NULL) && (jacobian_nz != NULL) &&
+        (status != NULL) && (item_status != NULL)) {
+        result = FARRELL_TIGHTLY_COUPLED_COUNT;
+        if ((epochs >= 0) && (n >= 0) && (n <= FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS)) {
+            result = FARRELL_TIGHTLY_COUPLED_OK;
+            for (ptrdiff_t epoch = 0; epoch < epochs; ++epoch) {
+                const farrell_tightly_coupled_status_t outcome = pseudorange_sparse(n,
+                    &x[epoch * x_step], n, &c_n_e[epoch * c_n_e_step], &origin[epoch * origin_step],
+                    &satellite_position[epoch * satellite_position_step],
+                    &measured[epoch * measured_step], &value[epoch * n], &residual[epoch * n],
+                    &jacobian_nz[(4 * epoch) * n], &item_status[epoch * n]);
 
                 status[epoch] = (uint8_t)outcome;
                 if (outcome != FARRELL_TIGHTLY_COUPLED_OK) {

@@ -397,6 +397,7 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_lever_arm_j
 
 /* Non-zeros straight into the caller's columns, neighbouring items in one vector register. */
 FARRELL_TIGHTLY_COUPLED_INLINE void pseudorange_lever_arm_columns(
+    int32_t stride,
     const pseudorange_lever_arm_input_t *FARRELL_TIGHTLY_COUPLED_RESTRICT in,
     const pseudorange_lever_arm_shared_t *FARRELL_TIGHTLY_COUPLED_RESTRICT shared,
     int32_t count,
@@ -416,9 +417,54 @@ FARRELL_TIGHTLY_COUPLED_INLINE void pseudorange_lever_arm_columns(
 
         codes[i] = first_failure(loaded, evaluated);
         pseudorange_lever_arm_fill_value(out.value, &value[i]);
-        pseudorange_lever_arm_put_jacobian(&out,
-            FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS, &jacobian_nz[i]);
+        pseudorange_lever_arm_put_jacobian(&out, stride, &jacobian_nz[i]);
     }
+}
+
+/* The same with all that comes before and after; columns are a stride apart. */
+FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_status_t pseudorange_lever_arm_sparse(
+    int32_t stride,
+    const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT
+        FARRELL_TIGHTLY_COUPLED_STATE_SIZE],
+    int32_t n,
+    const farrell_tightly_coupled_real_t c_n_e[FARRELL_TIGHTLY_COUPLED_RESTRICT 9],
+    const farrell_tightly_coupled_real_t origin[FARRELL_TIGHTLY_COUPLED_RESTRICT 3],
+    const farrell_tightly_coupled_real_t lever_arm[FARRELL_TIGHTLY_COUPLED_RESTRICT 3],
+    const farrell_tightly_coupled_real_t satellite_position[FARRELL_TIGHTLY_COUPLED_RESTRICT
+        FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS * 3],
+    farrell_tightly_coupled_real_t value[FARRELL_TIGHTLY_COUPLED_RESTRICT
+        FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS],
+    farrell_tightly_coupled_real_t jacobian_nz[FARRELL_TIGHTLY_COUPLED_RESTRICT 7 *
+        FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS],
+    uint8_t item_status[FARRELL_TIGHTLY_COUPLED_RESTRICT
+        FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS])
+{
+    pseudorange_lever_arm_input_t in;
+    pseudorange_lever_arm_shared_t shared;
+    farrell_tightly_coupled_status_t status =
+        (farrell_tightly_coupled_status_t)pseudorange_lever_arm_load(x, c_n_e, origin, lever_arm,
+        &in);
+
+    if (status == FARRELL_TIGHTLY_COUPLED_OK) {
+        status = (farrell_tightly_coupled_status_t)pseudorange_lever_arm_shared(&in, &shared);
+        if (status == FARRELL_TIGHTLY_COUPLED_OK) {
+            flag_t codes[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS];
+
+            pseudorange_lever_arm_columns(stride, &in, &shared, n, satellite_position, value,
+                jacobian_nz, codes);
+            for (int32_t i = 0; i < n; ++i) {
+                item_status[i] = (uint8_t)codes[i];
+                if (codes[i] != (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+                    pseudorange_lever_arm_clear_value(&value[i]);
+                    for (int32_t k = 0; k < 7; ++k) {
+                        jacobian_nz[(k * stride) + i] = 0.0;
+                    }
+                    status = FARRELL_TIGHTLY_COUPLED_PARTIAL;
+                }
+            }
+        }
+    }
+    return status;
 }
 
 FARRELL_TIGHTLY_COUPLED_WIDE farrell_tightly_coupled_status_t
@@ -445,33 +491,10 @@ FARRELL_TIGHTLY_COUPLED_WIDE farrell_tightly_coupled_status_t
         (item_status != NULL)) {
         status = FARRELL_TIGHTLY_COUPLED_COUNT;
         if ((n >= 0) && (n <= FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS)) {
-            pseudorange_lever_arm_input_t in;
-            pseudorange_lever_arm_shared_t shared;
-
-            status = (farrell_tightly_coupled_status_t)pseudorange_lever_arm_load(x, c_n_e, origin,
-                lever_arm, &in);
-            if (status == FARRELL_TIGHTLY_COUPLED_OK) {
-                status =
-                    (farrell_tightly_coupled_status_t)pseudorange_lever_arm_shared(&in, &shared);
-                if (status == FARRELL_TIGHTLY_COUPLED_OK) {
-                    flag_t codes[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS];
-
-                    pseudorange_lever_arm_columns(&in, &shared, n, satellite_position, value,
-                        jacobian_nz, codes);
-                    for (int32_t i = 0; i < n; ++i) {
-                        item_status[i] = (uint8_t)codes[i];
-                        if (codes[i] != (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
-                            pseudorange_lever_arm_clear_value(&value[i]);
-                            for (int32_t k = 0; k < 7; ++k) {
-                                jacobian_nz[(k *
-                                    FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS) + i] =
-                                    0.0;
-                            }
-                            status = FARRELL_TIGHTLY_COUPLED_PARTIAL;
-                        }
-                    }
-                }
-            }
+            status =
+                pseudorange_lever_arm_sparse(FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS,
+                x, n, c_n_e, origin, lever_arm, satellite_position, value, jacobian_nz,
+                item_status);
         }
     }
     return status;
@@ -510,6 +533,51 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_lever_arm_b
                     &origin[epoch * origin_step], &lever_arm[epoch * lever_arm_step],
                     &satellite_position[epoch * satellite_position_step], &value[epoch * n],
                     &jacobian[(17 * epoch) * n], &item_status[epoch * n]);
+
+                status[epoch] = (uint8_t)outcome;
+                if (outcome != FARRELL_TIGHTLY_COUPLED_OK) {
+                    result = FARRELL_TIGHTLY_COUPLED_PARTIAL;
+                }
+            }
+        }
+    }
+    return result;
+}
+
+FARRELL_TIGHTLY_COUPLED_WIDE farrell_tightly_coupled_status_t
+    farrell_tightly_coupled_pseudorange_lever_arm_batch_nz(
+    int32_t epochs,
+    const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    int32_t x_step,
+    int32_t n,
+    const farrell_tightly_coupled_real_t c_n_e[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    int32_t c_n_e_step,
+    const farrell_tightly_coupled_real_t origin[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    int32_t origin_step,
+    const farrell_tightly_coupled_real_t lever_arm[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    int32_t lever_arm_step,
+    const farrell_tightly_coupled_real_t satellite_position[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    int32_t satellite_position_step,
+    farrell_tightly_coupled_real_t value[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    farrell_tightly_coupled_real_t jacobian_nz[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    uint8_t status[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    uint8_t item_status[FARRELL_TIGHTLY_COUPLED_RESTRICT])
+{
+    farrell_tightly_coupled_status_t result = FARRELL_TIGHTLY_COUPLED_NULL;
+
+    if ((x != NULL) && (c_n_e != NULL) && (origin != NULL) && (lever_arm != NULL) &&
+        (satellite_position != NULL) && (value != NULL) && (jacobian_nz != NULL) &&
+        (status != NULL) && (item_status != NULL)) {
+        result = FARRELL_TIGHTLY_COUPLED_COUNT;
+        if ((epochs >= 0) && (n >= 0) &&
+            (n <= FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS)) {
+            result = FARRELL_TIGHTLY_COUPLED_OK;
+            for (ptrdiff_t epoch = 0; epoch < epochs; ++epoch) {
+                const farrell_tightly_coupled_status_t outcome = pseudorange_lever_arm_sparse(n,
+                    &x[epoch * x_step], n, &c_n_e[epoch * c_n_e_step], &origin[epoch * origin_step],
+                    &lever_arm[epoch * lever_arm_step],
+                    &satellite_position[epoch * satellite_position_step], &value[epoch * n],
+                    &jacobian_nz[(7 * epoch) * n], &item_status[epoch * n]);
 
                 status[epoch] = (uint8_t)outcome;
                 if (outcome != FARRELL_TIGHTLY_COUPLED_OK) {

@@ -9,15 +9,6 @@
 
 #include "farrell_tightly_coupled_retract_kernel.h"
 
-/* Epochs a batch evaluates side by side. */
-#define FARRELL_TIGHTLY_COUPLED_RETRACT_LANES 64
-
-/** Non-zeros of a block of epochs, each stored contiguously across the epochs. */
-typedef struct {
-    farrell_tightly_coupled_real_t value[18 * FARRELL_TIGHTLY_COUPLED_RETRACT_LANES];
-    flag_t status[FARRELL_TIGHTLY_COUPLED_RETRACT_LANES];
-} retract_block_t;
-
 /* Store the non-zeros of value, a stride apart. */
 FARRELL_TIGHTLY_COUPLED_INLINE void retract_put_value(
     const retract_output_t *out,
@@ -82,7 +73,7 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_retract(
         retract_input_t in;
         retract_output_t out;
 
-        status = (farrell_tightly_coupled_status_t)retract_load(x, d, &in);
+        status = (farrell_tightly_coupled_status_t)retract_load(x, d, 1, &in);
         if (status == FARRELL_TIGHTLY_COUPLED_OK) {
             status = (farrell_tightly_coupled_status_t)retract_kernel(&in, &out);
         }
@@ -93,23 +84,116 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_retract(
     return status;
 }
 
-/* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static FARRELL_TIGHTLY_COUPLED_WIDE void retract_lanes(
+/* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
+static FARRELL_TIGHTLY_COUPLED_WIDE flag_t retract_check_lanes(
     int32_t count,
-    const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT], ptrdiff_t x_step,
-    const farrell_tightly_coupled_real_t d[FARRELL_TIGHTLY_COUPLED_RESTRICT], ptrdiff_t d_step,
-    retract_block_t *FARRELL_TIGHTLY_COUPLED_RESTRICT block)
+    const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    const farrell_tightly_coupled_real_t d[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    flag_t codes[FARRELL_TIGHTLY_COUPLED_RESTRICT FARRELL_TIGHTLY_COUPLED_RETRACT_LANES])
+{
+    flag_t failed = 0U;
+
+    FARRELL_TIGHTLY_COUPLED_IVDEP
+    for (int32_t lane = 0; lane < count; ++lane) {
+        retract_input_t in;
+        retract_output_t out;
+        const flag_t loaded =
+            retract_load(&x[lane], &d[lane], FARRELL_TIGHTLY_COUPLED_RETRACT_LANES, &in);
+        const flag_t evaluated = retract_kernel(&in, &out);
+
+        codes[lane] = first_failure(loaded, evaluated);
+        failed |= codes[lane];
+    }
+    return failed;
+}
+
+/* Evaluate epochs side by side that have passed their checks. */
+static FARRELL_TIGHTLY_COUPLED_WIDE void retract_evaluate_lanes(
+    int32_t count,
+    const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    const farrell_tightly_coupled_real_t d[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    farrell_tightly_coupled_real_t value[FARRELL_TIGHTLY_COUPLED_RESTRICT])
 {
     FARRELL_TIGHTLY_COUPLED_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         retract_input_t in;
         retract_output_t out;
-        const flag_t loaded = retract_load(&x[lane * x_step], &d[lane * d_step], &in);
-        const flag_t evaluated = retract_kernel(&in, &out);
 
-        block->status[lane] = first_failure(loaded, evaluated);
-        retract_put_value(&out, FARRELL_TIGHTLY_COUPLED_RETRACT_LANES, &block->value[lane]);
+        retract_copy(&x[lane], &d[lane], FARRELL_TIGHTLY_COUPLED_RETRACT_LANES, &in);
+        (void)retract_kernel(&in, &out);
+        retract_put_value(&out, FARRELL_TIGHTLY_COUPLED_RETRACT_LANES, &value[lane]);
     }
+}
+
+/* One block: outputs of lanes that fail stay as they are. */
+static farrell_tightly_coupled_status_t retract_block(
+    int32_t count,
+    const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    const farrell_tightly_coupled_real_t d[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    farrell_tightly_coupled_real_t value[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    uint8_t status[FARRELL_TIGHTLY_COUPLED_RESTRICT])
+{
+    flag_t codes[FARRELL_TIGHTLY_COUPLED_RETRACT_LANES];
+    const flag_t failed = retract_check_lanes(count, x, d, codes);
+
+    for (int32_t lane = 0; lane < count; ++lane) {
+        status[lane] = (uint8_t)codes[lane];
+    }
+    if (failed == (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+        retract_evaluate_lanes(count, x, d, value);
+    } else {
+        for (int32_t lane = 0; lane < count; ++lane) {
+            if (codes[lane] == (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+                retract_evaluate_lanes(1, &x[lane], &d[lane], &value[lane]);
+            }
+        }
+    }
+    return (failed == (flag_t)FARRELL_TIGHTLY_COUPLED_OK) ? FARRELL_TIGHTLY_COUPLED_OK :
+        FARRELL_TIGHTLY_COUPLED_PARTIAL;
+}
+
+farrell_tightly_coupled_status_t farrell_tightly_coupled_retract_blocks(
+    int32_t epochs,
+    const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    const farrell_tightly_coupled_real_t d[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    farrell_tightly_coupled_real_t value[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    uint8_t status[FARRELL_TIGHTLY_COUPLED_RESTRICT])
+{
+    farrell_tightly_coupled_status_t result = FARRELL_TIGHTLY_COUPLED_NULL;
+
+    if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
+        result = (epochs < 0) ? FARRELL_TIGHTLY_COUPLED_COUNT : FARRELL_TIGHTLY_COUPLED_OK;
+        for (ptrdiff_t first = 0; first < epochs; first += FARRELL_TIGHTLY_COUPLED_RETRACT_LANES) {
+            const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < FARRELL_TIGHTLY_COUPLED_RETRACT_LANES) ? (int32_t)rest :
+                FARRELL_TIGHTLY_COUPLED_RETRACT_LANES;
+            const farrell_tightly_coupled_status_t outcome = retract_block(count, &x[18 * first],
+                &d[17 * first], &value[18 * first], &status[first]);
+
+            result = (outcome == FARRELL_TIGHTLY_COUPLED_OK) ? result : outcome;
+        }
+    }
+    return result;
+}
+
+/** A block of epochs. */
+typedef struct {
+    farrell_tightly_coupled_real_t x[18 * FARRELL_TIGHTLY_COUPLED_RETRACT_LANES];
+    farrell_tightly_coupled_real_t d[17 * FARRELL_TIGHTLY_COUPLED_RETRACT_LANES];
+    farrell_tightly_coupled_real_t value[18 * FARRELL_TIGHTLY_COUPLED_RETRACT_LANES];
+} retract_block_t;
+
+/* Lay rows of epochs side by side. */
+static void retract_gather(
+    int32_t count,
+    const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    ptrdiff_t x_step,
+    const farrell_tightly_coupled_real_t d[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    ptrdiff_t d_step,
+    retract_block_t *FARRELL_TIGHTLY_COUPLED_RESTRICT block)
+{
+    rows_to_lanes(count, x, x_step, 18, FARRELL_TIGHTLY_COUPLED_RETRACT_LANES, block->x);
+    rows_to_lanes(count, d, d_step, 17, FARRELL_TIGHTLY_COUPLED_RETRACT_LANES, block->d);
 }
 
 farrell_tightly_coupled_status_t farrell_tightly_coupled_retract_batch(
@@ -125,27 +209,20 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_retract_batch(
 
     if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
         retract_block_t block;
-        int32_t count;
 
         result = (epochs < 0) ? FARRELL_TIGHTLY_COUPLED_COUNT : FARRELL_TIGHTLY_COUPLED_OK;
-        for (ptrdiff_t first = 0; first < epochs; first += count) {
+        for (ptrdiff_t first = 0; first < epochs; first += FARRELL_TIGHTLY_COUPLED_RETRACT_LANES) {
             const ptrdiff_t rest = epochs - first;
-
-            count = (rest < FARRELL_TIGHTLY_COUPLED_RETRACT_LANES) ? (int32_t)rest :
+            const int32_t count = (rest < FARRELL_TIGHTLY_COUPLED_RETRACT_LANES) ? (int32_t)rest :
                 FARRELL_TIGHTLY_COUPLED_RETRACT_LANES;
-                retract_lanes(count, &x[first * x_step], x_step, &d[first * d_step], d_step,
-                    &block);
-            for (int32_t lane = 0; lane < count; ++lane) {
-                const ptrdiff_t epoch = first + lane;
 
-                status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
-                    retract_fill_value(&block.value[lane], FARRELL_TIGHTLY_COUPLED_RETRACT_LANES,
-                        &value[18 * epoch]);
-                } else {
-                    result = FARRELL_TIGHTLY_COUPLED_PARTIAL;
-                }
-            }
+            retract_gather(count, &x[first * x_step], x_step, &d[first * d_step], d_step, &block);
+            const farrell_tightly_coupled_status_t outcome =
+                retract_block(count, block.x, block.d, block.value, &status[first]);
+
+            result = (outcome == FARRELL_TIGHTLY_COUPLED_OK) ? result : outcome;
+            lanes_to_rows(count, &status[first], block.value, 18,
+                FARRELL_TIGHTLY_COUPLED_RETRACT_LANES, &value[18 * first]);
         }
     }
     return result;

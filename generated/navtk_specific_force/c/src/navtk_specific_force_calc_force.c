@@ -9,19 +9,6 @@
 
 #include "navtk_specific_force_calc_force_kernel.h"
 
-/* Epochs a batch evaluates side by side. */
-#define NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES 64
-
-/** Non-zeros of a block of epochs, each stored contiguously across the epochs. */
-typedef struct {
-    navtk_specific_force_real_t value[3 * NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES];
-    navtk_specific_force_real_t jacobian_dcm[6 * NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES];
-    navtk_specific_force_real_t jacobian_delta_theta[9 * NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES];
-    navtk_specific_force_real_t jacobian_delta_velocity[9 * NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES];
-    navtk_specific_force_real_t jacobian_dt[3 * NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES];
-    flag_t status[NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES];
-} calc_force_block_t;
-
 /* Store the non-zeros of value, a stride apart. */
 NAVTK_SPECIFIC_FORCE_INLINE void calc_force_put_value(
     const calc_force_output_t *out,
@@ -185,7 +172,7 @@ navtk_specific_force_status_t navtk_specific_force_calc_force(
         calc_force_output_t out;
 
         status = (navtk_specific_force_status_t)calc_force_load(dcm, delta_theta, delta_velocity,
-            dt, &in);
+            dt, 1, &in);
         if (status == NAVTK_SPECIFIC_FORCE_OK) {
             status = (navtk_specific_force_status_t)calc_force_kernel(&in, &out);
         }
@@ -216,7 +203,7 @@ navtk_specific_force_status_t navtk_specific_force_calc_force_value(
         calc_force_output_t out;
 
         status = (navtk_specific_force_status_t)calc_force_load(dcm, delta_theta, delta_velocity,
-            dt, &in);
+            dt, 1, &in);
         if (status == NAVTK_SPECIFIC_FORCE_OK) {
             status = (navtk_specific_force_status_t)calc_force_kernel(&in, &out);
         }
@@ -246,7 +233,7 @@ navtk_specific_force_status_t navtk_specific_force_calc_force_jacobian(
         calc_force_output_t out;
 
         status = (navtk_specific_force_status_t)calc_force_load(dcm, delta_theta, delta_velocity,
-            dt, &in);
+            dt, 1, &in);
         if (status == NAVTK_SPECIFIC_FORCE_OK) {
             status = (navtk_specific_force_status_t)calc_force_kernel(&in, &out);
         }
@@ -281,7 +268,7 @@ navtk_specific_force_status_t navtk_specific_force_calc_force_nz(
         calc_force_output_t out;
 
         status = (navtk_specific_force_status_t)calc_force_load(dcm, delta_theta, delta_velocity,
-            dt, &in);
+            dt, 1, &in);
         if (status == NAVTK_SPECIFIC_FORCE_OK) {
             status = (navtk_specific_force_status_t)calc_force_kernel(&in, &out);
         }
@@ -296,37 +283,168 @@ navtk_specific_force_status_t navtk_specific_force_calc_force_nz(
     return status;
 }
 
-/* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static NAVTK_SPECIFIC_FORCE_WIDE void calc_force_lanes(
+/* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
+static NAVTK_SPECIFIC_FORCE_WIDE flag_t calc_force_check_lanes(
     int32_t count,
-    const navtk_specific_force_real_t dcm[NAVTK_SPECIFIC_FORCE_RESTRICT], ptrdiff_t dcm_step,
-    const navtk_specific_force_real_t delta_theta[NAVTK_SPECIFIC_FORCE_RESTRICT], ptrdiff_t
-        delta_theta_step,
-    const navtk_specific_force_real_t delta_velocity[NAVTK_SPECIFIC_FORCE_RESTRICT], ptrdiff_t
-        delta_velocity_step,
-    const navtk_specific_force_real_t dt[NAVTK_SPECIFIC_FORCE_RESTRICT], ptrdiff_t dt_step,
-    calc_force_block_t *NAVTK_SPECIFIC_FORCE_RESTRICT block)
+    const navtk_specific_force_real_t dcm[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    const navtk_specific_force_real_t delta_theta[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    const navtk_specific_force_real_t delta_velocity[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    const navtk_specific_force_real_t dt[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    flag_t codes[NAVTK_SPECIFIC_FORCE_RESTRICT NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES])
+{
+    flag_t failed = 0U;
+
+    NAVTK_SPECIFIC_FORCE_IVDEP
+    for (int32_t lane = 0; lane < count; ++lane) {
+        calc_force_input_t in;
+        calc_force_output_t out;
+        const flag_t loaded = calc_force_load(&dcm[lane], &delta_theta[lane], &delta_velocity[lane],
+            &dt[lane], NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES, &in);
+        const flag_t evaluated = calc_force_kernel(&in, &out);
+
+        codes[lane] = first_failure(loaded, evaluated);
+        failed |= codes[lane];
+    }
+    return failed;
+}
+
+/* Evaluate epochs side by side that have passed their checks. */
+static NAVTK_SPECIFIC_FORCE_WIDE void calc_force_evaluate_lanes(
+    int32_t count,
+    const navtk_specific_force_real_t dcm[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    const navtk_specific_force_real_t delta_theta[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    const navtk_specific_force_real_t delta_velocity[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    const navtk_specific_force_real_t dt[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t value[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t jacobian_dcm_nz[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t jacobian_delta_theta_nz[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t jacobian_delta_velocity_nz[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t jacobian_dt_nz[NAVTK_SPECIFIC_FORCE_RESTRICT])
 {
     NAVTK_SPECIFIC_FORCE_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         calc_force_input_t in;
         calc_force_output_t out;
-        const flag_t loaded = calc_force_load(&dcm[lane * dcm_step],
-            &delta_theta[lane * delta_theta_step], &delta_velocity[lane * delta_velocity_step],
-            &dt[lane * dt_step], &in);
-        const flag_t evaluated = calc_force_kernel(&in, &out);
 
-        block->status[lane] = first_failure(loaded, evaluated);
-        calc_force_put_value(&out, NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES, &block->value[lane]);
+        calc_force_copy(&dcm[lane], &delta_theta[lane], &delta_velocity[lane], &dt[lane],
+            NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES, &in);
+        (void)calc_force_kernel(&in, &out);
+        calc_force_put_value(&out, NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES, &value[lane]);
         calc_force_put_jacobian_dcm(&out, NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES,
-            &block->jacobian_dcm[lane]);
+            &jacobian_dcm_nz[lane]);
         calc_force_put_jacobian_delta_theta(&out, NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES,
-            &block->jacobian_delta_theta[lane]);
+            &jacobian_delta_theta_nz[lane]);
         calc_force_put_jacobian_delta_velocity(&out, NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES,
-            &block->jacobian_delta_velocity[lane]);
+            &jacobian_delta_velocity_nz[lane]);
         calc_force_put_jacobian_dt(&out, NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES,
-            &block->jacobian_dt[lane]);
+            &jacobian_dt_nz[lane]);
     }
+}
+
+/* One block: outputs of lanes that fail stay as they are. */
+static navtk_specific_force_status_t calc_force_block(
+    int32_t count,
+    const navtk_specific_force_real_t dcm[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    const navtk_specific_force_real_t delta_theta[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    const navtk_specific_force_real_t delta_velocity[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    const navtk_specific_force_real_t dt[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t value[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t jacobian_dcm_nz[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t jacobian_delta_theta_nz[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t jacobian_delta_velocity_nz[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t jacobian_dt_nz[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    uint8_t status[NAVTK_SPECIFIC_FORCE_RESTRICT])
+{
+    flag_t codes[NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES];
+    const flag_t failed =
+        calc_force_check_lanes(count, dcm, delta_theta, delta_velocity, dt, codes);
+
+    for (int32_t lane = 0; lane < count; ++lane) {
+        status[lane] = (uint8_t)codes[lane];
+    }
+    if (failed == (flag_t)NAVTK_SPECIFIC_FORCE_OK) {
+        calc_force_evaluate_lanes(count, dcm, delta_theta, delta_velocity, dt, value,
+            jacobian_dcm_nz, jacobian_delta_theta_nz, jacobian_delta_velocity_nz, jacobian_dt_nz);
+    } else {
+        for (int32_t lane = 0; lane < count; ++lane) {
+            if (codes[lane] == (flag_t)NAVTK_SPECIFIC_FORCE_OK) {
+                calc_force_evaluate_lanes(1, &dcm[lane], &delta_theta[lane], &delta_velocity[lane],
+                    &dt[lane], &value[lane], &jacobian_dcm_nz[lane], &jacobian_delta_theta_nz[lane],
+                    &jacobian_delta_velocity_nz[lane], &jacobian_dt_nz[lane]);
+            }
+        }
+    }
+    return (failed == (flag_t)NAVTK_SPECIFIC_FORCE_OK) ? NAVTK_SPECIFIC_FORCE_OK :
+        NAVTK_SPECIFIC_FORCE_PARTIAL;
+}
+
+navtk_specific_force_status_t navtk_specific_force_calc_force_blocks(
+    int32_t epochs,
+    const navtk_specific_force_real_t dcm[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    const navtk_specific_force_real_t delta_theta[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    const navtk_specific_force_real_t delta_velocity[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    const navtk_specific_force_real_t dt[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t value[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t jacobian_dcm_nz[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t jacobian_delta_theta_nz[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t jacobian_delta_velocity_nz[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t jacobian_dt_nz[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    uint8_t status[NAVTK_SPECIFIC_FORCE_RESTRICT])
+{
+    navtk_specific_force_status_t result = NAVTK_SPECIFIC_FORCE_NULL;
+
+    if ((dcm != NULL) && (delta_theta != NULL) && (delta_velocity != NULL) && (dt != NULL) &&
+        (value != NULL) && (jacobian_dcm_nz != NULL) && (jacobian_delta_theta_nz != NULL) &&
+        (jacobian_delta_velocity_nz != NULL) && (jacobian_dt_nz != NULL) && (status != NULL)) {
+        result = (epochs < 0) ? NAVTK_SPECIFIC_FORCE_COUNT : NAVTK_SPECIFIC_FORCE_OK;
+        for (ptrdiff_t first = 0; first < epochs; first += NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES) {
+            const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES) ? (int32_t)rest :
+                NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES;
+            const navtk_specific_force_status_t outcome = calc_force_block(count, &dcm[9 * first],
+                &delta_theta[3 * first], &delta_velocity[3 * first], &dt[first], &value[3 * first],
+                &jacobian_dcm_nz[6 * first], &jacobian_delta_theta_nz[9 * first],
+                &jacobian_delta_velocity_nz[9 * first], &jacobian_dt_nz[3 * first], &status[first]);
+
+            result = (outcome == NAVTK_SPECIFIC_FORCE_OK) ? result : outcome;
+        }
+    }
+    return result;
+}
+
+/** A block of epochs. */
+typedef struct {
+    navtk_specific_force_real_t dcm[9 * NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES];
+    navtk_specific_force_real_t delta_theta[3 * NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES];
+    navtk_specific_force_real_t delta_velocity[3 * NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES];
+    navtk_specific_force_real_t dt[NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES];
+    navtk_specific_force_real_t value[3 * NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES];
+    navtk_specific_force_real_t jacobian_dcm_nz[6 * NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES];
+    navtk_specific_force_real_t jacobian_delta_theta_nz[9 * NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES];
+    navtk_specific_force_real_t
+        jacobian_delta_velocity_nz[9 * NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES];
+    navtk_specific_force_real_t jacobian_dt_nz[3 * NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES];
+} calc_force_block_t;
+
+/* Lay rows of epochs side by side. */
+static void calc_force_gather(
+    int32_t count,
+    const navtk_specific_force_real_t dcm[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    ptrdiff_t dcm_step,
+    const navtk_specific_force_real_t delta_theta[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    ptrdiff_t delta_theta_step,
+    const navtk_specific_force_real_t delta_velocity[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    ptrdiff_t delta_velocity_step,
+    const navtk_specific_force_real_t dt[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    ptrdiff_t dt_step,
+    calc_force_block_t *NAVTK_SPECIFIC_FORCE_RESTRICT block)
+{
+    rows_to_lanes(count, dcm, dcm_step, 9, NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES, block->dcm);
+    rows_to_lanes(count, delta_theta, delta_theta_step, 3, NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES,
+        block->delta_theta);
+    rows_to_lanes(count, delta_velocity, delta_velocity_step, 3,
+        NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES, block->delta_velocity);
+    rows_to_lanes(count, dt, dt_step, 1, NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES, block->dt);
 }
 
 navtk_specific_force_status_t navtk_specific_force_calc_force_batch(
@@ -352,37 +470,94 @@ navtk_specific_force_status_t navtk_specific_force_calc_force_batch(
         (value != NULL) && (jacobian_dcm != NULL) && (jacobian_delta_theta != NULL) &&
         (jacobian_delta_velocity != NULL) && (jacobian_dt != NULL) && (status != NULL)) {
         calc_force_block_t block;
-        int32_t count;
 
         result = (epochs < 0) ? NAVTK_SPECIFIC_FORCE_COUNT : NAVTK_SPECIFIC_FORCE_OK;
-        for (ptrdiff_t first = 0; first < epochs; first += count) {
+        for (ptrdiff_t first = 0; first < epochs; first += NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES) {
             const ptrdiff_t rest = epochs - first;
-
-            count = (rest < NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES) ? (int32_t)rest :
+            const int32_t count = (rest < NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES) ? (int32_t)rest :
                 NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES;
-                calc_force_lanes(count, &dcm[first * dcm_step], dcm_step,
-                    &delta_theta[first * delta_theta_step], delta_theta_step,
-                    &delta_velocity[first * delta_velocity_step], delta_velocity_step,
-                    &dt[first * dt_step], dt_step, &block);
-            for (int32_t lane = 0; lane < count; ++lane) {
-                const ptrdiff_t epoch = first + lane;
 
-                status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)NAVTK_SPECIFIC_FORCE_OK) {
-                    calc_force_fill_value(&block.value[lane], NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES,
-                        &value[3 * epoch]);
-                    calc_force_fill_jacobian_dcm(&block.jacobian_dcm[lane],
-                        NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES, &jacobian_dcm[9 * epoch]);
-                    calc_force_fill_jacobian_delta_theta(&block.jacobian_delta_theta[lane],
-                        NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES, &jacobian_delta_theta[9 * epoch]);
-                    calc_force_fill_jacobian_delta_velocity(&block.jacobian_delta_velocity[lane],
-                        NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES, &jacobian_delta_velocity[9 * epoch]);
-                    calc_force_fill_jacobian_dt(&block.jacobian_dt[lane],
-                        NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES, &jacobian_dt[3 * epoch]);
-                } else {
-                    result = NAVTK_SPECIFIC_FORCE_PARTIAL;
+            calc_force_gather(count, &dcm[first * dcm_step], dcm_step,
+                &delta_theta[first * delta_theta_step], delta_theta_step,
+                &delta_velocity[first * delta_velocity_step], delta_velocity_step,
+                &dt[first * dt_step], dt_step, &block);
+            const navtk_specific_force_status_t outcome = calc_force_block(count, block.dcm,
+                block.delta_theta, block.delta_velocity, block.dt, block.value,
+                block.jacobian_dcm_nz, block.jacobian_delta_theta_nz,
+                block.jacobian_delta_velocity_nz, block.jacobian_dt_nz, &status[first]);
+
+            result = (outcome == NAVTK_SPECIFIC_FORCE_OK) ? result : outcome;
+            lanes_to_rows(count, &status[first], block.value, 3,
+                NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES, &value[3 * first]);
+            for (int32_t lane = 0; lane < count; ++lane) {
+                if (status[first + lane] == (uint8_t)NAVTK_SPECIFIC_FORCE_OK) {
+                    calc_force_fill_jacobian_dcm(&block.jacobian_dcm_nz[lane],
+                        NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES, &jacobian_dcm[9 * (first + lane)]);
+                    calc_force_fill_jacobian_delta_theta(&block.jacobian_delta_theta_nz[lane],
+                        NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES,
+                        &jacobian_delta_theta[9 * (first + lane)]);
+                    calc_force_fill_jacobian_delta_velocity(&block.jacobian_delta_velocity_nz[lane],
+                        NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES,
+                        &jacobian_delta_velocity[9 * (first + lane)]);
+                    calc_force_fill_jacobian_dt(&block.jacobian_dt_nz[lane],
+                        NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES, &jacobian_dt[3 * (first + lane)]);
                 }
             }
+        }
+    }
+    return result;
+}
+
+navtk_specific_force_status_t navtk_specific_force_calc_force_batch_nz(
+    int32_t epochs,
+    const navtk_specific_force_real_t dcm[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    int32_t dcm_step,
+    const navtk_specific_force_real_t delta_theta[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    int32_t delta_theta_step,
+    const navtk_specific_force_real_t delta_velocity[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    int32_t delta_velocity_step,
+    const navtk_specific_force_real_t dt[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    int32_t dt_step,
+    navtk_specific_force_real_t value[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t jacobian_dcm_nz[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t jacobian_delta_theta_nz[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t jacobian_delta_velocity_nz[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t jacobian_dt_nz[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    uint8_t status[NAVTK_SPECIFIC_FORCE_RESTRICT])
+{
+    navtk_specific_force_status_t result = NAVTK_SPECIFIC_FORCE_NULL;
+
+    if ((dcm != NULL) && (delta_theta != NULL) && (delta_velocity != NULL) && (dt != NULL) &&
+        (value != NULL) && (jacobian_dcm_nz != NULL) && (jacobian_delta_theta_nz != NULL) &&
+        (jacobian_delta_velocity_nz != NULL) && (jacobian_dt_nz != NULL) && (status != NULL)) {
+        calc_force_block_t block;
+
+        result = (epochs < 0) ? NAVTK_SPECIFIC_FORCE_COUNT : NAVTK_SPECIFIC_FORCE_OK;
+        for (ptrdiff_t first = 0; first < epochs; first += NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES) {
+            const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES) ? (int32_t)rest :
+                NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES;
+
+            calc_force_gather(count, &dcm[first * dcm_step], dcm_step,
+                &delta_theta[first * delta_theta_step], delta_theta_step,
+                &delta_velocity[first * delta_velocity_step], delta_velocity_step,
+                &dt[first * dt_step], dt_step, &block);
+            const navtk_specific_force_status_t outcome = calc_force_block(count, block.dcm,
+                block.delta_theta, block.delta_velocity, block.dt, block.value,
+                block.jacobian_dcm_nz, block.jacobian_delta_theta_nz,
+                block.jacobian_delta_velocity_nz, block.jacobian_dt_nz, &status[first]);
+
+            result = (outcome == NAVTK_SPECIFIC_FORCE_OK) ? result : outcome;
+            lanes_to_rows(count, &status[first], block.value, 3,
+                NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES, &value[3 * first]);
+            lanes_to_rows(count, &status[first], block.jacobian_dcm_nz, 6,
+                NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES, &jacobian_dcm_nz[6 * first]);
+            lanes_to_rows(count, &status[first], block.jacobian_delta_theta_nz, 9,
+                NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES, &jacobian_delta_theta_nz[9 * first]);
+            lanes_to_rows(count, &status[first], block.jacobian_delta_velocity_nz, 9,
+                NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES, &jacobian_delta_velocity_nz[9 * first]);
+            lanes_to_rows(count, &status[first], block.jacobian_dt_nz, 3,
+                NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES, &jacobian_dt_nz[3 * first]);
         }
     }
     return result;

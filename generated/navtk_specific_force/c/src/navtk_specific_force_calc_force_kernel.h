@@ -46,6 +46,7 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t calc_force_load(
     const navtk_specific_force_real_t delta_theta[],
     const navtk_specific_force_real_t delta_velocity[],
     const navtk_specific_force_real_t dt[],
+    int32_t stride,
     calc_force_input_t *in)
 {
     flag_t outside = 0U;
@@ -53,32 +54,59 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t calc_force_load(
 
     /* dcm [s -> n] */
     outside |= take_centred(dcm[0], 1.00001, &in->dcm_00);
-    outside |= take_centred(dcm[1], 1.00001, &in->dcm_01);
-    outside |= take_centred(dcm[2], 1.00001, &in->dcm_02);
-    outside |= take_centred(dcm[3], 1.00001, &in->dcm_10);
-    outside |= take_centred(dcm[4], 1.00001, &in->dcm_11);
-    outside |= take_centred(dcm[5], 1.00001, &in->dcm_12);
-    outside |= take_centred(dcm[6], 1.00001, &in->dcm_20);
-    outside |= take_centred(dcm[7], 1.00001, &in->dcm_21);
-    outside |= take_centred(dcm[8], 1.00001, &in->dcm_22);
+    outside |= take_centred(dcm[stride], 1.00001, &in->dcm_01);
+    outside |= take_centred(dcm[2 * stride], 1.00001, &in->dcm_02);
+    outside |= take_centred(dcm[3 * stride], 1.00001, &in->dcm_10);
+    outside |= take_centred(dcm[4 * stride], 1.00001, &in->dcm_11);
+    outside |= take_centred(dcm[5 * stride], 1.00001, &in->dcm_12);
+    outside |= take_centred(dcm[6 * stride], 1.00001, &in->dcm_20);
+    outside |= take_centred(dcm[7 * stride], 1.00001, &in->dcm_21);
+    outside |= take_centred(dcm[8 * stride], 1.00001, &in->dcm_22);
     skewed |= is_skewed_matrix(in->dcm_00, in->dcm_01, in->dcm_02, in->dcm_10, in->dcm_11,
         in->dcm_12, in->dcm_20, in->dcm_21, in->dcm_22, 1.0e-05);
 
     /* delta_theta [rad, in s] */
     outside |= take_centred(delta_theta[0], 0.5, &in->delta_theta_x);
-    outside |= take_centred(delta_theta[1], 0.5, &in->delta_theta_y);
-    outside |= take_centred(delta_theta[2], 0.5, &in->delta_theta_z);
+    outside |= take_centred(delta_theta[stride], 0.5, &in->delta_theta_y);
+    outside |= take_centred(delta_theta[2 * stride], 0.5, &in->delta_theta_z);
 
     /* delta_velocity [m/s, in s] */
     outside |= take_centred(delta_velocity[0], 50.0, &in->delta_velocity_x);
-    outside |= take_centred(delta_velocity[1], 50.0, &in->delta_velocity_y);
-    outside |= take_centred(delta_velocity[2], 50.0, &in->delta_velocity_z);
+    outside |= take_centred(delta_velocity[stride], 50.0, &in->delta_velocity_y);
+    outside |= take_centred(delta_velocity[2 * stride], 50.0, &in->delta_velocity_z);
 
     /* dt [s] */
     outside |= take_value(dt[0], 1.0e-05, 0.05, &in->dt);
 
     return (outside != 0U) ? (flag_t)NAVTK_SPECIFIC_FORCE_RANGE :
         ((skewed != 0U) ? (flag_t)NAVTK_SPECIFIC_FORCE_QNORM : (flag_t)NAVTK_SPECIFIC_FORCE_OK);
+}
+
+/* Copy the inputs of one call that has passed its checks. */
+NAVTK_SPECIFIC_FORCE_INLINE void calc_force_copy(
+    const navtk_specific_force_real_t dcm[],
+    const navtk_specific_force_real_t delta_theta[],
+    const navtk_specific_force_real_t delta_velocity[],
+    const navtk_specific_force_real_t dt[],
+    int32_t stride,
+    calc_force_input_t *in)
+{
+    in->dcm_00 = dcm[0];
+    in->dcm_01 = dcm[stride];
+    in->dcm_02 = dcm[2 * stride];
+    in->dcm_10 = dcm[3 * stride];
+    in->dcm_11 = dcm[4 * stride];
+    in->dcm_12 = dcm[5 * stride];
+    in->dcm_20 = dcm[6 * stride];
+    in->dcm_21 = dcm[7 * stride];
+    in->dcm_22 = dcm[8 * stride];
+    in->delta_theta_x = delta_theta[0];
+    in->delta_theta_y = delta_theta[stride];
+    in->delta_theta_z = delta_theta[2 * stride];
+    in->delta_velocity_x = delta_velocity[0];
+    in->delta_velocity_y = delta_velocity[stride];
+    in->delta_velocity_z = delta_velocity[2 * stride];
+    in->dt = dt[0];
 }
 
 /* Specific force corrected for rotation and sculling: values and structural non-zeros. */

@@ -47,44 +47,73 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t force_load(
     const navtk_specific_force_real_t delta_theta[],
     const navtk_specific_force_real_t delta_velocity[],
     const navtk_specific_force_real_t dt[],
+    int32_t stride,
     force_input_t *in)
 {
     flag_t outside = 0U;
     flag_t skewed = 0U;
 
     /* attitude [s -> n] */
-    outside |= take_centred(x[6], 1.00001, &in->attitude_w);
-    outside |= take_centred(x[7], 1.00001, &in->attitude_x);
-    outside |= take_centred(x[8], 1.00001, &in->attitude_y);
-    outside |= take_centred(x[9], 1.00001, &in->attitude_z);
+    outside |= take_centred(x[6 * stride], 1.00001, &in->attitude_w);
+    outside |= take_centred(x[7 * stride], 1.00001, &in->attitude_x);
+    outside |= take_centred(x[8 * stride], 1.00001, &in->attitude_y);
+    outside |= take_centred(x[9 * stride], 1.00001, &in->attitude_z);
     skewed |= is_skewed_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z,
         1.0e-05);
 
     /* accelerometer_bias [m/s^2, in s] */
-    outside |= take_centred(x[10], 1.0, &in->accelerometer_bias_x);
-    outside |= take_centred(x[11], 1.0, &in->accelerometer_bias_y);
-    outside |= take_centred(x[12], 1.0, &in->accelerometer_bias_z);
+    outside |= take_centred(x[10 * stride], 1.0, &in->accelerometer_bias_x);
+    outside |= take_centred(x[11 * stride], 1.0, &in->accelerometer_bias_y);
+    outside |= take_centred(x[12 * stride], 1.0, &in->accelerometer_bias_z);
 
     /* gyro_bias [rad/s, in s] */
-    outside |= take_centred(x[13], 0.1, &in->gyro_bias_x);
-    outside |= take_centred(x[14], 0.1, &in->gyro_bias_y);
-    outside |= take_centred(x[15], 0.1, &in->gyro_bias_z);
+    outside |= take_centred(x[13 * stride], 0.1, &in->gyro_bias_x);
+    outside |= take_centred(x[14 * stride], 0.1, &in->gyro_bias_y);
+    outside |= take_centred(x[15 * stride], 0.1, &in->gyro_bias_z);
 
     /* delta_theta [rad, in s] */
     outside |= take_centred(delta_theta[0], 0.5, &in->delta_theta_x);
-    outside |= take_centred(delta_theta[1], 0.5, &in->delta_theta_y);
-    outside |= take_centred(delta_theta[2], 0.5, &in->delta_theta_z);
+    outside |= take_centred(delta_theta[stride], 0.5, &in->delta_theta_y);
+    outside |= take_centred(delta_theta[2 * stride], 0.5, &in->delta_theta_z);
 
     /* delta_velocity [m/s, in s] */
     outside |= take_centred(delta_velocity[0], 50.0, &in->delta_velocity_x);
-    outside |= take_centred(delta_velocity[1], 50.0, &in->delta_velocity_y);
-    outside |= take_centred(delta_velocity[2], 50.0, &in->delta_velocity_z);
+    outside |= take_centred(delta_velocity[stride], 50.0, &in->delta_velocity_y);
+    outside |= take_centred(delta_velocity[2 * stride], 50.0, &in->delta_velocity_z);
 
     /* dt [s] */
     outside |= take_value(dt[0], 1.0e-05, 0.05, &in->dt);
 
     return (outside != 0U) ? (flag_t)NAVTK_SPECIFIC_FORCE_RANGE :
         ((skewed != 0U) ? (flag_t)NAVTK_SPECIFIC_FORCE_QNORM : (flag_t)NAVTK_SPECIFIC_FORCE_OK);
+}
+
+/* Copy the inputs of one call that has passed its checks. */
+NAVTK_SPECIFIC_FORCE_INLINE void force_copy(
+    const navtk_specific_force_real_t x[],
+    const navtk_specific_force_real_t delta_theta[],
+    const navtk_specific_force_real_t delta_velocity[],
+    const navtk_specific_force_real_t dt[],
+    int32_t stride,
+    force_input_t *in)
+{
+    in->attitude_w = x[6 * stride];
+    in->attitude_x = x[7 * stride];
+    in->attitude_y = x[8 * stride];
+    in->attitude_z = x[9 * stride];
+    in->accelerometer_bias_x = x[10 * stride];
+    in->accelerometer_bias_y = x[11 * stride];
+    in->accelerometer_bias_z = x[12 * stride];
+    in->gyro_bias_x = x[13 * stride];
+    in->gyro_bias_y = x[14 * stride];
+    in->gyro_bias_z = x[15 * stride];
+    in->delta_theta_x = delta_theta[0];
+    in->delta_theta_y = delta_theta[stride];
+    in->delta_theta_z = delta_theta[2 * stride];
+    in->delta_velocity_x = delta_velocity[0];
+    in->delta_velocity_y = delta_velocity[stride];
+    in->delta_velocity_z = delta_velocity[2 * stride];
+    in->dt = dt[0];
 }
 
 /* Specific force corrected for rotation and sculling: values and structural non-zeros. */

@@ -9,15 +9,6 @@
 
 #include "navtk_specific_force_local_kernel.h"
 
-/* Epochs a batch evaluates side by side. */
-#define NAVTK_SPECIFIC_FORCE_LOCAL_LANES 64
-
-/** Non-zeros of a block of epochs, each stored contiguously across the epochs. */
-typedef struct {
-    navtk_specific_force_real_t value[15 * NAVTK_SPECIFIC_FORCE_LOCAL_LANES];
-    flag_t status[NAVTK_SPECIFIC_FORCE_LOCAL_LANES];
-} local_block_t;
-
 /* Store the non-zeros of value, a stride apart. */
 NAVTK_SPECIFIC_FORCE_INLINE void local_put_value(
     const local_output_t *out,
@@ -76,7 +67,7 @@ navtk_specific_force_status_t navtk_specific_force_local(
         local_input_t in;
         local_output_t out;
 
-        status = (navtk_specific_force_status_t)local_load(x, y, &in);
+        status = (navtk_specific_force_status_t)local_load(x, y, 1, &in);
         if (status == NAVTK_SPECIFIC_FORCE_OK) {
             status = (navtk_specific_force_status_t)local_kernel(&in, &out);
         }
@@ -87,23 +78,115 @@ navtk_specific_force_status_t navtk_specific_force_local(
     return status;
 }
 
-/* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static NAVTK_SPECIFIC_FORCE_WIDE void local_lanes(
+/* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
+static NAVTK_SPECIFIC_FORCE_WIDE flag_t local_check_lanes(
     int32_t count,
-    const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT], ptrdiff_t x_step,
-    const navtk_specific_force_real_t y[NAVTK_SPECIFIC_FORCE_RESTRICT], ptrdiff_t y_step,
-    local_block_t *NAVTK_SPECIFIC_FORCE_RESTRICT block)
+    const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    const navtk_specific_force_real_t y[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    flag_t codes[NAVTK_SPECIFIC_FORCE_RESTRICT NAVTK_SPECIFIC_FORCE_LOCAL_LANES])
+{
+    flag_t failed = 0U;
+
+    NAVTK_SPECIFIC_FORCE_IVDEP
+    for (int32_t lane = 0; lane < count; ++lane) {
+        local_input_t in;
+        local_output_t out;
+        const flag_t loaded = local_load(&x[lane], &y[lane], NAVTK_SPECIFIC_FORCE_LOCAL_LANES, &in);
+        const flag_t evaluated = local_kernel(&in, &out);
+
+        codes[lane] = first_failure(loaded, evaluated);
+        failed |= codes[lane];
+    }
+    return failed;
+}
+
+/* Evaluate epochs side by side that have passed their checks. */
+static NAVTK_SPECIFIC_FORCE_WIDE void local_evaluate_lanes(
+    int32_t count,
+    const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    const navtk_specific_force_real_t y[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t value[NAVTK_SPECIFIC_FORCE_RESTRICT])
 {
     NAVTK_SPECIFIC_FORCE_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         local_input_t in;
         local_output_t out;
-        const flag_t loaded = local_load(&x[lane * x_step], &y[lane * y_step], &in);
-        const flag_t evaluated = local_kernel(&in, &out);
 
-        block->status[lane] = first_failure(loaded, evaluated);
-        local_put_value(&out, NAVTK_SPECIFIC_FORCE_LOCAL_LANES, &block->value[lane]);
+        local_copy(&x[lane], &y[lane], NAVTK_SPECIFIC_FORCE_LOCAL_LANES, &in);
+        (void)local_kernel(&in, &out);
+        local_put_value(&out, NAVTK_SPECIFIC_FORCE_LOCAL_LANES, &value[lane]);
     }
+}
+
+/* One block: outputs of lanes that fail stay as they are. */
+static navtk_specific_force_status_t local_block(
+    int32_t count,
+    const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    const navtk_specific_force_real_t y[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t value[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    uint8_t status[NAVTK_SPECIFIC_FORCE_RESTRICT])
+{
+    flag_t codes[NAVTK_SPECIFIC_FORCE_LOCAL_LANES];
+    const flag_t failed = local_check_lanes(count, x, y, codes);
+
+    for (int32_t lane = 0; lane < count; ++lane) {
+        status[lane] = (uint8_t)codes[lane];
+    }
+    if (failed == (flag_t)NAVTK_SPECIFIC_FORCE_OK) {
+        local_evaluate_lanes(count, x, y, value);
+    } else {
+        for (int32_t lane = 0; lane < count; ++lane) {
+            if (codes[lane] == (flag_t)NAVTK_SPECIFIC_FORCE_OK) {
+                local_evaluate_lanes(1, &x[lane], &y[lane], &value[lane]);
+            }
+        }
+    }
+    return (failed == (flag_t)NAVTK_SPECIFIC_FORCE_OK) ? NAVTK_SPECIFIC_FORCE_OK :
+        NAVTK_SPECIFIC_FORCE_PARTIAL;
+}
+
+navtk_specific_force_status_t navtk_specific_force_local_blocks(
+    int32_t epochs,
+    const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    const navtk_specific_force_real_t y[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t value[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    uint8_t status[NAVTK_SPECIFIC_FORCE_RESTRICT])
+{
+    navtk_specific_force_status_t result = NAVTK_SPECIFIC_FORCE_NULL;
+
+    if ((x != NULL) && (y != NULL) && (value != NULL) && (status != NULL)) {
+        result = (epochs < 0) ? NAVTK_SPECIFIC_FORCE_COUNT : NAVTK_SPECIFIC_FORCE_OK;
+        for (ptrdiff_t first = 0; first < epochs; first += NAVTK_SPECIFIC_FORCE_LOCAL_LANES) {
+            const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < NAVTK_SPECIFIC_FORCE_LOCAL_LANES) ? (int32_t)rest :
+                NAVTK_SPECIFIC_FORCE_LOCAL_LANES;
+            const navtk_specific_force_status_t outcome = local_block(count, &x[16 * first],
+                &y[16 * first], &value[15 * first], &status[first]);
+
+            result = (outcome == NAVTK_SPECIFIC_FORCE_OK) ? result : outcome;
+        }
+    }
+    return result;
+}
+
+/** A block of epochs. */
+typedef struct {
+    navtk_specific_force_real_t x[16 * NAVTK_SPECIFIC_FORCE_LOCAL_LANES];
+    navtk_specific_force_real_t y[16 * NAVTK_SPECIFIC_FORCE_LOCAL_LANES];
+    navtk_specific_force_real_t value[15 * NAVTK_SPECIFIC_FORCE_LOCAL_LANES];
+} local_block_t;
+
+/* Lay rows of epochs side by side. */
+static void local_gather(
+    int32_t count,
+    const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    ptrdiff_t x_step,
+    const navtk_specific_force_real_t y[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    ptrdiff_t y_step,
+    local_block_t *NAVTK_SPECIFIC_FORCE_RESTRICT block)
+{
+    rows_to_lanes(count, x, x_step, 16, NAVTK_SPECIFIC_FORCE_LOCAL_LANES, block->x);
+    rows_to_lanes(count, y, y_step, 16, NAVTK_SPECIFIC_FORCE_LOCAL_LANES, block->y);
 }
 
 navtk_specific_force_status_t navtk_specific_force_local_batch(
@@ -119,26 +202,20 @@ navtk_specific_force_status_t navtk_specific_force_local_batch(
 
     if ((x != NULL) && (y != NULL) && (value != NULL) && (status != NULL)) {
         local_block_t block;
-        int32_t count;
 
         result = (epochs < 0) ? NAVTK_SPECIFIC_FORCE_COUNT : NAVTK_SPECIFIC_FORCE_OK;
-        for (ptrdiff_t first = 0; first < epochs; first += count) {
+        for (ptrdiff_t first = 0; first < epochs; first += NAVTK_SPECIFIC_FORCE_LOCAL_LANES) {
             const ptrdiff_t rest = epochs - first;
-
-            count = (rest < NAVTK_SPECIFIC_FORCE_LOCAL_LANES) ? (int32_t)rest :
+            const int32_t count = (rest < NAVTK_SPECIFIC_FORCE_LOCAL_LANES) ? (int32_t)rest :
                 NAVTK_SPECIFIC_FORCE_LOCAL_LANES;
-                local_lanes(count, &x[first * x_step], x_step, &y[first * y_step], y_step, &block);
-            for (int32_t lane = 0; lane < count; ++lane) {
-                const ptrdiff_t epoch = first + lane;
 
-                status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)NAVTK_SPECIFIC_FORCE_OK) {
-                    local_fill_value(&block.value[lane], NAVTK_SPECIFIC_FORCE_LOCAL_LANES,
-                        &value[15 * epoch]);
-                } else {
-                    result = NAVTK_SPECIFIC_FORCE_PARTIAL;
-                }
-            }
+            local_gather(count, &x[first * x_step], x_step, &y[first * y_step], y_step, &block);
+            const navtk_specific_force_status_t outcome =
+                local_block(count, block.x, block.y, block.value, &status[first]);
+
+            result = (outcome == NAVTK_SPECIFIC_FORCE_OK) ? result : outcome;
+            lanes_to_rows(count, &status[first], block.value, 15, NAVTK_SPECIFIC_FORCE_LOCAL_LANES,
+                &value[15 * first]);
         }
     }
     return result;

@@ -9,15 +9,6 @@
 
 #include "navtk_specific_force_retract_kernel.h"
 
-/* Epochs a batch evaluates side by side. */
-#define NAVTK_SPECIFIC_FORCE_RETRACT_LANES 64
-
-/** Non-zeros of a block of epochs, each stored contiguously across the epochs. */
-typedef struct {
-    navtk_specific_force_real_t value[16 * NAVTK_SPECIFIC_FORCE_RETRACT_LANES];
-    flag_t status[NAVTK_SPECIFIC_FORCE_RETRACT_LANES];
-} retract_block_t;
-
 /* Store the non-zeros of value, a stride apart. */
 NAVTK_SPECIFIC_FORCE_INLINE void retract_put_value(
     const retract_output_t *out,
@@ -78,7 +69,7 @@ navtk_specific_force_status_t navtk_specific_force_retract(
         retract_input_t in;
         retract_output_t out;
 
-        status = (navtk_specific_force_status_t)retract_load(x, d, &in);
+        status = (navtk_specific_force_status_t)retract_load(x, d, 1, &in);
         if (status == NAVTK_SPECIFIC_FORCE_OK) {
             status = (navtk_specific_force_status_t)retract_kernel(&in, &out);
         }
@@ -89,23 +80,116 @@ navtk_specific_force_status_t navtk_specific_force_retract(
     return status;
 }
 
-/* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static NAVTK_SPECIFIC_FORCE_WIDE void retract_lanes(
+/* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
+static NAVTK_SPECIFIC_FORCE_WIDE flag_t retract_check_lanes(
     int32_t count,
-    const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT], ptrdiff_t x_step,
-    const navtk_specific_force_real_t d[NAVTK_SPECIFIC_FORCE_RESTRICT], ptrdiff_t d_step,
-    retract_block_t *NAVTK_SPECIFIC_FORCE_RESTRICT block)
+    const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    const navtk_specific_force_real_t d[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    flag_t codes[NAVTK_SPECIFIC_FORCE_RESTRICT NAVTK_SPECIFIC_FORCE_RETRACT_LANES])
+{
+    flag_t failed = 0U;
+
+    NAVTK_SPECIFIC_FORCE_IVDEP
+    for (int32_t lane = 0; lane < count; ++lane) {
+        retract_input_t in;
+        retract_output_t out;
+        const flag_t loaded =
+            retract_load(&x[lane], &d[lane], NAVTK_SPECIFIC_FORCE_RETRACT_LANES, &in);
+        const flag_t evaluated = retract_kernel(&in, &out);
+
+        codes[lane] = first_failure(loaded, evaluated);
+        failed |= codes[lane];
+    }
+    return failed;
+}
+
+/* Evaluate epochs side by side that have passed their checks. */
+static NAVTK_SPECIFIC_FORCE_WIDE void retract_evaluate_lanes(
+    int32_t count,
+    const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    const navtk_specific_force_real_t d[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t value[NAVTK_SPECIFIC_FORCE_RESTRICT])
 {
     NAVTK_SPECIFIC_FORCE_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         retract_input_t in;
         retract_output_t out;
-        const flag_t loaded = retract_load(&x[lane * x_step], &d[lane * d_step], &in);
-        const flag_t evaluated = retract_kernel(&in, &out);
 
-        block->status[lane] = first_failure(loaded, evaluated);
-        retract_put_value(&out, NAVTK_SPECIFIC_FORCE_RETRACT_LANES, &block->value[lane]);
+        retract_copy(&x[lane], &d[lane], NAVTK_SPECIFIC_FORCE_RETRACT_LANES, &in);
+        (void)retract_kernel(&in, &out);
+        retract_put_value(&out, NAVTK_SPECIFIC_FORCE_RETRACT_LANES, &value[lane]);
     }
+}
+
+/* One block: outputs of lanes that fail stay as they are. */
+static navtk_specific_force_status_t retract_block(
+    int32_t count,
+    const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    const navtk_specific_force_real_t d[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t value[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    uint8_t status[NAVTK_SPECIFIC_FORCE_RESTRICT])
+{
+    flag_t codes[NAVTK_SPECIFIC_FORCE_RETRACT_LANES];
+    const flag_t failed = retract_check_lanes(count, x, d, codes);
+
+    for (int32_t lane = 0; lane < count; ++lane) {
+        status[lane] = (uint8_t)codes[lane];
+    }
+    if (failed == (flag_t)NAVTK_SPECIFIC_FORCE_OK) {
+        retract_evaluate_lanes(count, x, d, value);
+    } else {
+        for (int32_t lane = 0; lane < count; ++lane) {
+            if (codes[lane] == (flag_t)NAVTK_SPECIFIC_FORCE_OK) {
+                retract_evaluate_lanes(1, &x[lane], &d[lane], &value[lane]);
+            }
+        }
+    }
+    return (failed == (flag_t)NAVTK_SPECIFIC_FORCE_OK) ? NAVTK_SPECIFIC_FORCE_OK :
+        NAVTK_SPECIFIC_FORCE_PARTIAL;
+}
+
+navtk_specific_force_status_t navtk_specific_force_retract_blocks(
+    int32_t epochs,
+    const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    const navtk_specific_force_real_t d[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t value[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    uint8_t status[NAVTK_SPECIFIC_FORCE_RESTRICT])
+{
+    navtk_specific_force_status_t result = NAVTK_SPECIFIC_FORCE_NULL;
+
+    if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
+        result = (epochs < 0) ? NAVTK_SPECIFIC_FORCE_COUNT : NAVTK_SPECIFIC_FORCE_OK;
+        for (ptrdiff_t first = 0; first < epochs; first += NAVTK_SPECIFIC_FORCE_RETRACT_LANES) {
+            const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < NAVTK_SPECIFIC_FORCE_RETRACT_LANES) ? (int32_t)rest :
+                NAVTK_SPECIFIC_FORCE_RETRACT_LANES;
+            const navtk_specific_force_status_t outcome = retract_block(count, &x[16 * first],
+                &d[15 * first], &value[16 * first], &status[first]);
+
+            result = (outcome == NAVTK_SPECIFIC_FORCE_OK) ? result : outcome;
+        }
+    }
+    return result;
+}
+
+/** A block of epochs. */
+typedef struct {
+    navtk_specific_force_real_t x[16 * NAVTK_SPECIFIC_FORCE_RETRACT_LANES];
+    navtk_specific_force_real_t d[15 * NAVTK_SPECIFIC_FORCE_RETRACT_LANES];
+    navtk_specific_force_real_t value[16 * NAVTK_SPECIFIC_FORCE_RETRACT_LANES];
+} retract_block_t;
+
+/* Lay rows of epochs side by side. */
+static void retract_gather(
+    int32_t count,
+    const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    ptrdiff_t x_step,
+    const navtk_specific_force_real_t d[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    ptrdiff_t d_step,
+    retract_block_t *NAVTK_SPECIFIC_FORCE_RESTRICT block)
+{
+    rows_to_lanes(count, x, x_step, 16, NAVTK_SPECIFIC_FORCE_RETRACT_LANES, block->x);
+    rows_to_lanes(count, d, d_step, 15, NAVTK_SPECIFIC_FORCE_RETRACT_LANES, block->d);
 }
 
 navtk_specific_force_status_t navtk_specific_force_retract_batch(
@@ -121,27 +205,20 @@ navtk_specific_force_status_t navtk_specific_force_retract_batch(
 
     if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
         retract_block_t block;
-        int32_t count;
 
         result = (epochs < 0) ? NAVTK_SPECIFIC_FORCE_COUNT : NAVTK_SPECIFIC_FORCE_OK;
-        for (ptrdiff_t first = 0; first < epochs; first += count) {
+        for (ptrdiff_t first = 0; first < epochs; first += NAVTK_SPECIFIC_FORCE_RETRACT_LANES) {
             const ptrdiff_t rest = epochs - first;
-
-            count = (rest < NAVTK_SPECIFIC_FORCE_RETRACT_LANES) ? (int32_t)rest :
+            const int32_t count = (rest < NAVTK_SPECIFIC_FORCE_RETRACT_LANES) ? (int32_t)rest :
                 NAVTK_SPECIFIC_FORCE_RETRACT_LANES;
-                retract_lanes(count, &x[first * x_step], x_step, &d[first * d_step], d_step,
-                    &block);
-            for (int32_t lane = 0; lane < count; ++lane) {
-                const ptrdiff_t epoch = first + lane;
 
-                status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)NAVTK_SPECIFIC_FORCE_OK) {
-                    retract_fill_value(&block.value[lane], NAVTK_SPECIFIC_FORCE_RETRACT_LANES,
-                        &value[16 * epoch]);
-                } else {
-                    result = NAVTK_SPECIFIC_FORCE_PARTIAL;
-                }
-            }
+            retract_gather(count, &x[first * x_step], x_step, &d[first * d_step], d_step, &block);
+            const navtk_specific_force_status_t outcome =
+                retract_block(count, block.x, block.d, block.value, &status[first]);
+
+            result = (outcome == NAVTK_SPECIFIC_FORCE_OK) ? result : outcome;
+            lanes_to_rows(count, &status[first], block.value, 16,
+                NAVTK_SPECIFIC_FORCE_RETRACT_LANES, &value[16 * first]);
         }
     }
     return result;

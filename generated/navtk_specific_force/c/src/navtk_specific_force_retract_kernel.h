@@ -55,6 +55,7 @@ typedef struct {
 NAVTK_SPECIFIC_FORCE_INLINE flag_t retract_load(
     const navtk_specific_force_real_t x[],
     const navtk_specific_force_real_t d[],
+    int32_t stride,
     retract_input_t *in)
 {
     flag_t outside = 0U;
@@ -62,59 +63,99 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t retract_load(
 
     /* position [m, in n] */
     outside |= take_centred(x[0], 1000000000.0, &in->position_x);
-    outside |= take_centred(x[1], 1000000000.0, &in->position_y);
-    outside |= take_centred(x[2], 1000000000.0, &in->position_z);
+    outside |= take_centred(x[stride], 1000000000.0, &in->position_y);
+    outside |= take_centred(x[2 * stride], 1000000000.0, &in->position_z);
 
     /* velocity [m/s, in n] */
-    outside |= take_centred(x[3], 1000000000.0, &in->velocity_x);
-    outside |= take_centred(x[4], 1000000000.0, &in->velocity_y);
-    outside |= take_centred(x[5], 1000000000.0, &in->velocity_z);
+    outside |= take_centred(x[3 * stride], 1000000000.0, &in->velocity_x);
+    outside |= take_centred(x[4 * stride], 1000000000.0, &in->velocity_y);
+    outside |= take_centred(x[5 * stride], 1000000000.0, &in->velocity_z);
 
     /* attitude [s -> n] */
-    outside |= take_centred(x[6], 1.00001, &in->attitude_w);
-    outside |= take_centred(x[7], 1.00001, &in->attitude_x);
-    outside |= take_centred(x[8], 1.00001, &in->attitude_y);
-    outside |= take_centred(x[9], 1.00001, &in->attitude_z);
+    outside |= take_centred(x[6 * stride], 1.00001, &in->attitude_w);
+    outside |= take_centred(x[7 * stride], 1.00001, &in->attitude_x);
+    outside |= take_centred(x[8 * stride], 1.00001, &in->attitude_y);
+    outside |= take_centred(x[9 * stride], 1.00001, &in->attitude_z);
     skewed |= is_skewed_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z,
         1.0e-05);
 
     /* accelerometer_bias [m/s^2, in s] */
-    outside |= take_centred(x[10], 1.0, &in->accelerometer_bias_x);
-    outside |= take_centred(x[11], 1.0, &in->accelerometer_bias_y);
-    outside |= take_centred(x[12], 1.0, &in->accelerometer_bias_z);
+    outside |= take_centred(x[10 * stride], 1.0, &in->accelerometer_bias_x);
+    outside |= take_centred(x[11 * stride], 1.0, &in->accelerometer_bias_y);
+    outside |= take_centred(x[12 * stride], 1.0, &in->accelerometer_bias_z);
 
     /* gyro_bias [rad/s, in s] */
-    outside |= take_centred(x[13], 0.1, &in->gyro_bias_x);
-    outside |= take_centred(x[14], 0.1, &in->gyro_bias_y);
-    outside |= take_centred(x[15], 0.1, &in->gyro_bias_z);
+    outside |= take_centred(x[13 * stride], 0.1, &in->gyro_bias_x);
+    outside |= take_centred(x[14 * stride], 0.1, &in->gyro_bias_y);
+    outside |= take_centred(x[15 * stride], 0.1, &in->gyro_bias_z);
 
     /* position [m, in n] */
     outside |= take_centred(d[0], 1000000000.0, &in->position_x_2);
-    outside |= take_centred(d[1], 1000000000.0, &in->position_y_2);
-    outside |= take_centred(d[2], 1000000000.0, &in->position_z_2);
+    outside |= take_centred(d[stride], 1000000000.0, &in->position_y_2);
+    outside |= take_centred(d[2 * stride], 1000000000.0, &in->position_z_2);
 
     /* velocity [m/s, in n] */
-    outside |= take_centred(d[3], 1000000000.0, &in->velocity_x_2);
-    outside |= take_centred(d[4], 1000000000.0, &in->velocity_y_2);
-    outside |= take_centred(d[5], 1000000000.0, &in->velocity_z_2);
+    outside |= take_centred(d[3 * stride], 1000000000.0, &in->velocity_x_2);
+    outside |= take_centred(d[4 * stride], 1000000000.0, &in->velocity_y_2);
+    outside |= take_centred(d[5 * stride], 1000000000.0, &in->velocity_z_2);
 
     /* attitude [rad, in n] */
-    outside |= take_centred(d[6], 6.0, &in->attitude_x_2);
-    outside |= take_centred(d[7], 6.0, &in->attitude_y_2);
-    outside |= take_centred(d[8], 6.0, &in->attitude_z_2);
+    outside |= take_centred(d[6 * stride], 6.0, &in->attitude_x_2);
+    outside |= take_centred(d[7 * stride], 6.0, &in->attitude_y_2);
+    outside |= take_centred(d[8 * stride], 6.0, &in->attitude_z_2);
 
     /* accelerometer_bias [m/s^2, in s] */
-    outside |= take_centred(d[9], 1000000000.0, &in->accelerometer_bias_x_2);
-    outside |= take_centred(d[10], 1000000000.0, &in->accelerometer_bias_y_2);
-    outside |= take_centred(d[11], 1000000000.0, &in->accelerometer_bias_z_2);
+    outside |= take_centred(d[9 * stride], 1000000000.0, &in->accelerometer_bias_x_2);
+    outside |= take_centred(d[10 * stride], 1000000000.0, &in->accelerometer_bias_y_2);
+    outside |= take_centred(d[11 * stride], 1000000000.0, &in->accelerometer_bias_z_2);
 
     /* gyro_bias [rad/s, in s] */
-    outside |= take_centred(d[12], 1000000000.0, &in->gyro_bias_x_2);
-    outside |= take_centred(d[13], 1000000000.0, &in->gyro_bias_y_2);
-    outside |= take_centred(d[14], 1000000000.0, &in->gyro_bias_z_2);
+    outside |= take_centred(d[12 * stride], 1000000000.0, &in->gyro_bias_x_2);
+    outside |= take_centred(d[13 * stride], 1000000000.0, &in->gyro_bias_y_2);
+    outside |= take_centred(d[14 * stride], 1000000000.0, &in->gyro_bias_z_2);
 
     return (outside != 0U) ? (flag_t)NAVTK_SPECIFIC_FORCE_RANGE :
         ((skewed != 0U) ? (flag_t)NAVTK_SPECIFIC_FORCE_QNORM : (flag_t)NAVTK_SPECIFIC_FORCE_OK);
+}
+
+/* Copy the inputs of one call that has passed its checks. */
+NAVTK_SPECIFIC_FORCE_INLINE void retract_copy(
+    const navtk_specific_force_real_t x[],
+    const navtk_specific_force_real_t d[],
+    int32_t stride,
+    retract_input_t *in)
+{
+    in->position_x = x[0];
+    in->position_y = x[stride];
+    in->position_z = x[2 * stride];
+    in->velocity_x = x[3 * stride];
+    in->velocity_y = x[4 * stride];
+    in->velocity_z = x[5 * stride];
+    in->attitude_w = x[6 * stride];
+    in->attitude_x = x[7 * stride];
+    in->attitude_y = x[8 * stride];
+    in->attitude_z = x[9 * stride];
+    in->accelerometer_bias_x = x[10 * stride];
+    in->accelerometer_bias_y = x[11 * stride];
+    in->accelerometer_bias_z = x[12 * stride];
+    in->gyro_bias_x = x[13 * stride];
+    in->gyro_bias_y = x[14 * stride];
+    in->gyro_bias_z = x[15 * stride];
+    in->position_x_2 = d[0];
+    in->position_y_2 = d[stride];
+    in->position_z_2 = d[2 * stride];
+    in->velocity_x_2 = d[3 * stride];
+    in->velocity_y_2 = d[4 * stride];
+    in->velocity_z_2 = d[5 * stride];
+    in->attitude_x_2 = d[6 * stride];
+    in->attitude_y_2 = d[7 * stride];
+    in->attitude_z_2 = d[8 * stride];
+    in->accelerometer_bias_x_2 = d[9 * stride];
+    in->accelerometer_bias_y_2 = d[10 * stride];
+    in->accelerometer_bias_z_2 = d[11 * stride];
+    in->gyro_bias_x_2 = d[12 * stride];
+    in->gyro_bias_y_2 = d[13 * stride];
+    in->gyro_bias_z_2 = d[14 * stride];
 }
 
 /* State moved by an error: values and structural non-zeros. */

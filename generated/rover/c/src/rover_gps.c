@@ -9,16 +9,6 @@
 
 #include "rover_gps_kernel.h"
 
-/* Epochs a batch evaluates side by side. */
-#define ROVER_GPS_LANES 64
-
-/** Non-zeros of a block of epochs, each stored contiguously across the epochs. */
-typedef struct {
-    rover_real_t value[3 * ROVER_GPS_LANES];
-    rover_real_t jacobian[21 * ROVER_GPS_LANES];
-    flag_t status[ROVER_GPS_LANES];
-} gps_block_t;
-
 /* Store the non-zeros of value, a stride apart. */
 ROVER_INLINE void gps_put_value(const gps_output_t *out, int32_t stride, rover_real_t nonzeros[])
 {
@@ -146,7 +136,7 @@ rover_status_t rover_gps(
         gps_input_t in;
         gps_output_t out;
 
-        status = (rover_status_t)gps_load(x, &in);
+        status = (rover_status_t)gps_load(x, 1, &in);
         if (status == ROVER_OK) {
             status = (rover_status_t)gps_kernel(&in, &out);
         }
@@ -168,7 +158,7 @@ rover_status_t rover_gps_value(
         gps_input_t in;
         gps_output_t out;
 
-        status = (rover_status_t)gps_load(x, &in);
+        status = (rover_status_t)gps_load(x, 1, &in);
         if (status == ROVER_OK) {
             status = (rover_status_t)gps_kernel(&in, &out);
         }
@@ -189,7 +179,7 @@ rover_status_t rover_gps_jacobian(
         gps_input_t in;
         gps_output_t out;
 
-        status = (rover_status_t)gps_load(x, &in);
+        status = (rover_status_t)gps_load(x, 1, &in);
         if (status == ROVER_OK) {
             status = (rover_status_t)gps_kernel(&in, &out);
         }
@@ -211,7 +201,7 @@ rover_status_t rover_gps_nz(
         gps_input_t in;
         gps_output_t out;
 
-        status = (rover_status_t)gps_load(x, &in);
+        status = (rover_status_t)gps_load(x, 1, &in);
         if (status == ROVER_OK) {
             status = (rover_status_t)gps_kernel(&in, &out);
         }
@@ -223,23 +213,112 @@ rover_status_t rover_gps_nz(
     return status;
 }
 
-/* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static ROVER_WIDE void gps_lanes(
+/* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
+static ROVER_WIDE flag_t gps_check_lanes(
     int32_t count,
-    const rover_real_t x[ROVER_RESTRICT], ptrdiff_t x_step,
-    gps_block_t *ROVER_RESTRICT block)
+    const rover_real_t x[ROVER_RESTRICT],
+    flag_t codes[ROVER_RESTRICT ROVER_GPS_LANES])
+{
+    flag_t failed = 0U;
+
+    ROVER_IVDEP
+    for (int32_t lane = 0; lane < count; ++lane) {
+        gps_input_t in;
+        gps_output_t out;
+        const flag_t loaded = gps_load(&x[lane], ROVER_GPS_LANES, &in);
+        const flag_t evaluated = gps_kernel(&in, &out);
+
+        codes[lane] = first_failure(loaded, evaluated);
+        failed |= codes[lane];
+    }
+    return failed;
+}
+
+/* Evaluate epochs side by side that have passed their checks. */
+static ROVER_WIDE void gps_evaluate_lanes(
+    int32_t count,
+    const rover_real_t x[ROVER_RESTRICT],
+    rover_real_t value[ROVER_RESTRICT],
+    rover_real_t jacobian_nz[ROVER_RESTRICT])
 {
     ROVER_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         gps_input_t in;
         gps_output_t out;
-        const flag_t loaded = gps_load(&x[lane * x_step], &in);
-        const flag_t evaluated = gps_kernel(&in, &out);
 
-        block->status[lane] = first_failure(loaded, evaluated);
-        gps_put_value(&out, ROVER_GPS_LANES, &block->value[lane]);
-        gps_put_jacobian(&out, ROVER_GPS_LANES, &block->jacobian[lane]);
+        gps_copy(&x[lane], ROVER_GPS_LANES, &in);
+        (void)gps_kernel(&in, &out);
+        gps_put_value(&out, ROVER_GPS_LANES, &value[lane]);
+        gps_put_jacobian(&out, ROVER_GPS_LANES, &jacobian_nz[lane]);
     }
+}
+
+/* One block: outputs of lanes that fail stay as they are. */
+static rover_status_t gps_block(
+    int32_t count,
+    const rover_real_t x[ROVER_RESTRICT],
+    rover_real_t value[ROVER_RESTRICT],
+    rover_real_t jacobian_nz[ROVER_RESTRICT],
+    uint8_t status[ROVER_RESTRICT])
+{
+    flag_t codes[ROVER_GPS_LANES];
+    const flag_t failed = gps_check_lanes(count, x, codes);
+
+    for (int32_t lane = 0; lane < count; ++lane) {
+        status[lane] = (uint8_t)codes[lane];
+    }
+    if (failed == (flag_t)ROVER_OK) {
+        gps_evaluate_lanes(count, x, value, jacobian_nz);
+    } else {
+        for (int32_t lane = 0; lane < count; ++lane) {
+            if (codes[lane] == (flag_t)ROVER_OK) {
+                gps_evaluate_lanes(1, &x[lane], &value[lane], &jacobian_nz[lane]);
+            }
+        }
+    }
+    return (failed == (flag_t)ROVER_OK) ? ROVER_OK : ROVER_PARTIAL;
+}
+
+rover_status_t rover_gps_blocks(
+    int32_t epochs,
+    const rover_real_t x[ROVER_RESTRICT],
+    rover_real_t value[ROVER_RESTRICT],
+    rover_real_t jacobian_nz[ROVER_RESTRICT],
+    uint8_t status[ROVER_RESTRICT])
+{
+    rover_status_t result = ROVER_NULL;
+
+    if ((x != NULL) && (value != NULL) && (jacobian_nz != NULL) && (status != NULL)) {
+        result = (epochs < 0) ? ROVER_COUNT : ROVER_OK;
+        for (ptrdiff_t first = 0; first < epochs; first += ROVER_GPS_LANES) {
+            const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < ROVER_GPS_LANES) ? (int32_t)rest : ROVER_GPS_LANES;
+            const rover_status_t outcome = gps_block(count, &x[22 * first], &value[3 * first],
+                &jacobian_nz[21 * first], &status[first]);
+
+            result = (outcome == ROVER_OK) ? result : outcome;
+        }
+    }
+    return result;
+}
+
+/** A block of epochs. */
+typedef struct {
+    rover_real_t x[22 * ROVER_GPS_LANES];
+    rover_real_t value[3 * ROVER_GPS_LANES];
+    rover_real_t jacobian_nz[21 * ROVER_GPS_LANES];
+} gps_block_t;
+
+/* Lay rows of epochs side by side. */
+static void gps_gather(
+    int32_t count,
+    const rover_real_t x[ROVER_RESTRICT],
+    ptrdiff_t x_step,
+    gps_block_t *ROVER_RESTRICT block)
+{
+    rows_to_lanes(count, x, x_step, 3, ROVER_GPS_LANES, block->x);
+    rows_to_lanes(count, &x[6], x_step, 4, ROVER_GPS_LANES, &block->x[6 * ROVER_GPS_LANES]);
+    rows_to_lanes(count, &x[16], x_step, 3, ROVER_GPS_LANES, &block->x[16 * ROVER_GPS_LANES]);
 }
 
 rover_status_t rover_gps_batch(
@@ -254,26 +333,57 @@ rover_status_t rover_gps_batch(
 
     if ((x != NULL) && (value != NULL) && (jacobian != NULL) && (status != NULL)) {
         gps_block_t block;
-        int32_t count;
 
         result = (epochs < 0) ? ROVER_COUNT : ROVER_OK;
-        for (ptrdiff_t first = 0; first < epochs; first += count) {
+        for (ptrdiff_t first = 0; first < epochs; first += ROVER_GPS_LANES) {
             const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < ROVER_GPS_LANES) ? (int32_t)rest : ROVER_GPS_LANES;
 
-            count = (rest < ROVER_GPS_LANES) ? (int32_t)rest : ROVER_GPS_LANES;
-                gps_lanes(count, &x[first * x_step], x_step, &block);
+            gps_gather(count, &x[first * x_step], x_step, &block);
+            const rover_status_t outcome =
+                gps_block(count, block.x, block.value, block.jacobian_nz, &status[first]);
+
+            result = (outcome == ROVER_OK) ? result : outcome;
+            lanes_to_rows(count, &status[first], block.value, 3, ROVER_GPS_LANES,
+                &value[3 * first]);
             for (int32_t lane = 0; lane < count; ++lane) {
-                const ptrdiff_t epoch = first + lane;
-
-                status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)ROVER_OK) {
-                    gps_fill_value(&block.value[lane], ROVER_GPS_LANES, &value[3 * epoch]);
-                    gps_fill_jacobian(&block.jacobian[lane], ROVER_GPS_LANES,
-                        &jacobian[63 * epoch]);
-                } else {
-                    result = ROVER_PARTIAL;
+                if (status[first + lane] == (uint8_t)ROVER_OK) {
+                    gps_fill_jacobian(&block.jacobian_nz[lane], ROVER_GPS_LANES,
+                        &jacobian[63 * (first + lane)]);
                 }
             }
+        }
+    }
+    return result;
+}
+
+rover_status_t rover_gps_batch_nz(
+    int32_t epochs,
+    const rover_real_t x[ROVER_RESTRICT],
+    int32_t x_step,
+    rover_real_t value[ROVER_RESTRICT],
+    rover_real_t jacobian_nz[ROVER_RESTRICT],
+    uint8_t status[ROVER_RESTRICT])
+{
+    rover_status_t result = ROVER_NULL;
+
+    if ((x != NULL) && (value != NULL) && (jacobian_nz != NULL) && (status != NULL)) {
+        gps_block_t block;
+
+        result = (epochs < 0) ? ROVER_COUNT : ROVER_OK;
+        for (ptrdiff_t first = 0; first < epochs; first += ROVER_GPS_LANES) {
+            const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < ROVER_GPS_LANES) ? (int32_t)rest : ROVER_GPS_LANES;
+
+            gps_gather(count, &x[first * x_step], x_step, &block);
+            const rover_status_t outcome =
+                gps_block(count, block.x, block.value, block.jacobian_nz, &status[first]);
+
+            result = (outcome == ROVER_OK) ? result : outcome;
+            lanes_to_rows(count, &status[first], block.value, 3, ROVER_GPS_LANES,
+                &value[3 * first]);
+            lanes_to_rows(count, &status[first], block.jacobian_nz, 21, ROVER_GPS_LANES,
+                &jacobian_nz[21 * first]);
         }
     }
     return result;

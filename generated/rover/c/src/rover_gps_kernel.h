@@ -32,31 +32,46 @@ typedef struct {
 } gps_output_t;
 
 /* Check and copy the inputs of one call. */
-ROVER_INLINE flag_t gps_load(const rover_real_t x[], gps_input_t *in)
+ROVER_INLINE flag_t gps_load(const rover_real_t x[], int32_t stride, gps_input_t *in)
 {
     flag_t outside = 0U;
     flag_t skewed = 0U;
 
     /* position [m, in n] */
     outside |= take_centred(x[0], 100000.0, &in->position_x);
-    outside |= take_centred(x[1], 100000.0, &in->position_y);
-    outside |= take_centred(x[2], 100000.0, &in->position_z);
+    outside |= take_centred(x[stride], 100000.0, &in->position_y);
+    outside |= take_centred(x[2 * stride], 100000.0, &in->position_z);
 
     /* attitude [b -> n] */
-    outside |= take_centred(x[6], 1.00001, &in->attitude_w);
-    outside |= take_centred(x[7], 1.00001, &in->attitude_x);
-    outside |= take_centred(x[8], 1.00001, &in->attitude_y);
-    outside |= take_centred(x[9], 1.00001, &in->attitude_z);
+    outside |= take_centred(x[6 * stride], 1.00001, &in->attitude_w);
+    outside |= take_centred(x[7 * stride], 1.00001, &in->attitude_x);
+    outside |= take_centred(x[8 * stride], 1.00001, &in->attitude_y);
+    outside |= take_centred(x[9 * stride], 1.00001, &in->attitude_z);
     skewed |= is_skewed_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z,
         1.0e-05);
 
     /* antenna [m, in b] */
-    outside |= take_centred(x[16], 10.0, &in->antenna_x);
-    outside |= take_centred(x[17], 10.0, &in->antenna_y);
-    outside |= take_centred(x[18], 10.0, &in->antenna_z);
+    outside |= take_centred(x[16 * stride], 10.0, &in->antenna_x);
+    outside |= take_centred(x[17 * stride], 10.0, &in->antenna_y);
+    outside |= take_centred(x[18 * stride], 10.0, &in->antenna_z);
 
     return (outside != 0U) ? (flag_t)ROVER_RANGE :
         ((skewed != 0U) ? (flag_t)ROVER_QNORM : (flag_t)ROVER_OK);
+}
+
+/* Copy the inputs of one call that has passed its checks. */
+ROVER_INLINE void gps_copy(const rover_real_t x[], int32_t stride, gps_input_t *in)
+{
+    in->position_x = x[0];
+    in->position_y = x[stride];
+    in->position_z = x[2 * stride];
+    in->attitude_w = x[6 * stride];
+    in->attitude_x = x[7 * stride];
+    in->attitude_y = x[8 * stride];
+    in->attitude_z = x[9 * stride];
+    in->antenna_x = x[16 * stride];
+    in->antenna_y = x[17 * stride];
+    in->antenna_z = x[18 * stride];
 }
 
 /* Position of a GNSS antenna: values and structural non-zeros. */

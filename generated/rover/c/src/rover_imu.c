@@ -9,16 +9,6 @@
 
 #include "rover_imu_kernel.h"
 
-/* Epochs a batch evaluates side by side. */
-#define ROVER_IMU_LANES 64
-
-/** Non-zeros of a block of epochs, each stored contiguously across the epochs. */
-typedef struct {
-    rover_real_t value[3 * ROVER_IMU_LANES];
-    rover_real_t jacobian[27 * ROVER_IMU_LANES];
-    flag_t status[ROVER_IMU_LANES];
-} imu_block_t;
-
 /* Store the non-zeros of value, a stride apart. */
 ROVER_INLINE void imu_put_value(const imu_output_t *out, int32_t stride, rover_real_t nonzeros[])
 {
@@ -138,7 +128,7 @@ rover_status_t rover_imu(
         imu_input_t in;
         imu_output_t out;
 
-        status = (rover_status_t)imu_load(x, delta_theta, delta_velocity, dt, &in);
+        status = (rover_status_t)imu_load(x, delta_theta, delta_velocity, dt, 1, &in);
         if (status == ROVER_OK) {
             status = (rover_status_t)imu_kernel(&in, &out);
         }
@@ -164,7 +154,7 @@ rover_status_t rover_imu_value(
         imu_input_t in;
         imu_output_t out;
 
-        status = (rover_status_t)imu_load(x, delta_theta, delta_velocity, dt, &in);
+        status = (rover_status_t)imu_load(x, delta_theta, delta_velocity, dt, 1, &in);
         if (status == ROVER_OK) {
             status = (rover_status_t)imu_kernel(&in, &out);
         }
@@ -189,7 +179,7 @@ rover_status_t rover_imu_jacobian(
         imu_input_t in;
         imu_output_t out;
 
-        status = (rover_status_t)imu_load(x, delta_theta, delta_velocity, dt, &in);
+        status = (rover_status_t)imu_load(x, delta_theta, delta_velocity, dt, 1, &in);
         if (status == ROVER_OK) {
             status = (rover_status_t)imu_kernel(&in, &out);
         }
@@ -215,7 +205,7 @@ rover_status_t rover_imu_nz(
         imu_input_t in;
         imu_output_t out;
 
-        status = (rover_status_t)imu_load(x, delta_theta, delta_velocity, dt, &in);
+        status = (rover_status_t)imu_load(x, delta_theta, delta_velocity, dt, 1, &in);
         if (status == ROVER_OK) {
             status = (rover_status_t)imu_kernel(&in, &out);
         }
@@ -227,27 +217,140 @@ rover_status_t rover_imu_nz(
     return status;
 }
 
-/* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static ROVER_WIDE void imu_lanes(
+/* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
+static ROVER_WIDE flag_t imu_check_lanes(
     int32_t count,
-    const rover_real_t x[ROVER_RESTRICT], ptrdiff_t x_step,
-    const rover_real_t delta_theta[ROVER_RESTRICT], ptrdiff_t delta_theta_step,
-    const rover_real_t delta_velocity[ROVER_RESTRICT], ptrdiff_t delta_velocity_step,
-    const rover_real_t dt[ROVER_RESTRICT], ptrdiff_t dt_step,
-    imu_block_t *ROVER_RESTRICT block)
+    const rover_real_t x[ROVER_RESTRICT],
+    const rover_real_t delta_theta[ROVER_RESTRICT],
+    const rover_real_t delta_velocity[ROVER_RESTRICT],
+    const rover_real_t dt[ROVER_RESTRICT],
+    flag_t codes[ROVER_RESTRICT ROVER_IMU_LANES])
+{
+    flag_t failed = 0U;
+
+    ROVER_IVDEP
+    for (int32_t lane = 0; lane < count; ++lane) {
+        imu_input_t in;
+        imu_output_t out;
+        const flag_t loaded = imu_load(&x[lane], &delta_theta[lane], &delta_velocity[lane],
+            &dt[lane], ROVER_IMU_LANES, &in);
+        const flag_t evaluated = imu_kernel(&in, &out);
+
+        codes[lane] = first_failure(loaded, evaluated);
+        failed |= codes[lane];
+    }
+    return failed;
+}
+
+/* Evaluate epochs side by side that have passed their checks. */
+static ROVER_WIDE void imu_evaluate_lanes(
+    int32_t count,
+    const rover_real_t x[ROVER_RESTRICT],
+    const rover_real_t delta_theta[ROVER_RESTRICT],
+    const rover_real_t delta_velocity[ROVER_RESTRICT],
+    const rover_real_t dt[ROVER_RESTRICT],
+    rover_real_t value[ROVER_RESTRICT],
+    rover_real_t jacobian_nz[ROVER_RESTRICT])
 {
     ROVER_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         imu_input_t in;
         imu_output_t out;
-        const flag_t loaded = imu_load(&x[lane * x_step], &delta_theta[lane * delta_theta_step],
-            &delta_velocity[lane * delta_velocity_step], &dt[lane * dt_step], &in);
-        const flag_t evaluated = imu_kernel(&in, &out);
 
-        block->status[lane] = first_failure(loaded, evaluated);
-        imu_put_value(&out, ROVER_IMU_LANES, &block->value[lane]);
-        imu_put_jacobian(&out, ROVER_IMU_LANES, &block->jacobian[lane]);
+        imu_copy(&x[lane], &delta_theta[lane], &delta_velocity[lane], &dt[lane], ROVER_IMU_LANES,
+            &in);
+        (void)imu_kernel(&in, &out);
+        imu_put_value(&out, ROVER_IMU_LANES, &value[lane]);
+        imu_put_jacobian(&out, ROVER_IMU_LANES, &jacobian_nz[lane]);
     }
+}
+
+/* One block: outputs of lanes that fail stay as they are. */
+static rover_status_t imu_block(
+    int32_t count,
+    const rover_real_t x[ROVER_RESTRICT],
+    const rover_real_t delta_theta[ROVER_RESTRICT],
+    const rover_real_t delta_velocity[ROVER_RESTRICT],
+    const rover_real_t dt[ROVER_RESTRICT],
+    rover_real_t value[ROVER_RESTRICT],
+    rover_real_t jacobian_nz[ROVER_RESTRICT],
+    uint8_t status[ROVER_RESTRICT])
+{
+    flag_t codes[ROVER_IMU_LANES];
+    const flag_t failed = imu_check_lanes(count, x, delta_theta, delta_velocity, dt, codes);
+
+    for (int32_t lane = 0; lane < count; ++lane) {
+        status[lane] = (uint8_t)codes[lane];
+    }
+    if (failed == (flag_t)ROVER_OK) {
+        imu_evaluate_lanes(count, x, delta_theta, delta_velocity, dt, value, jacobian_nz);
+    } else {
+        for (int32_t lane = 0; lane < count; ++lane) {
+            if (codes[lane] == (flag_t)ROVER_OK) {
+                imu_evaluate_lanes(1, &x[lane], &delta_theta[lane], &delta_velocity[lane],
+                    &dt[lane], &value[lane], &jacobian_nz[lane]);
+            }
+        }
+    }
+    return (failed == (flag_t)ROVER_OK) ? ROVER_OK : ROVER_PARTIAL;
+}
+
+rover_status_t rover_imu_blocks(
+    int32_t epochs,
+    const rover_real_t x[ROVER_RESTRICT],
+    const rover_real_t delta_theta[ROVER_RESTRICT],
+    const rover_real_t delta_velocity[ROVER_RESTRICT],
+    const rover_real_t dt[ROVER_RESTRICT],
+    rover_real_t value[ROVER_RESTRICT],
+    rover_real_t jacobian_nz[ROVER_RESTRICT],
+    uint8_t status[ROVER_RESTRICT])
+{
+    rover_status_t result = ROVER_NULL;
+
+    if ((x != NULL) && (delta_theta != NULL) && (delta_velocity != NULL) && (dt != NULL) &&
+        (value != NULL) && (jacobian_nz != NULL) && (status != NULL)) {
+        result = (epochs < 0) ? ROVER_COUNT : ROVER_OK;
+        for (ptrdiff_t first = 0; first < epochs; first += ROVER_IMU_LANES) {
+            const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < ROVER_IMU_LANES) ? (int32_t)rest : ROVER_IMU_LANES;
+            const rover_status_t outcome = imu_block(count, &x[22 * first], &delta_theta[6 * first],
+                &delta_velocity[6 * first], &dt[first], &value[3 * first], &jacobian_nz[27 * first],
+                &status[first]);
+
+            result = (outcome == ROVER_OK) ? result : outcome;
+        }
+    }
+    return result;
+}
+
+/** A block of epochs. */
+typedef struct {
+    rover_real_t x[22 * ROVER_IMU_LANES];
+    rover_real_t delta_theta[6 * ROVER_IMU_LANES];
+    rover_real_t delta_velocity[6 * ROVER_IMU_LANES];
+    rover_real_t dt[ROVER_IMU_LANES];
+    rover_real_t value[3 * ROVER_IMU_LANES];
+    rover_real_t jacobian_nz[27 * ROVER_IMU_LANES];
+} imu_block_t;
+
+/* Lay rows of epochs side by side. */
+static void imu_gather(
+    int32_t count,
+    const rover_real_t x[ROVER_RESTRICT],
+    ptrdiff_t x_step,
+    const rover_real_t delta_theta[ROVER_RESTRICT],
+    ptrdiff_t delta_theta_step,
+    const rover_real_t delta_velocity[ROVER_RESTRICT],
+    ptrdiff_t delta_velocity_step,
+    const rover_real_t dt[ROVER_RESTRICT],
+    ptrdiff_t dt_step,
+    imu_block_t *ROVER_RESTRICT block)
+{
+    rows_to_lanes(count, &x[6], x_step, 10, ROVER_IMU_LANES, &block->x[6 * ROVER_IMU_LANES]);
+    rows_to_lanes(count, delta_theta, delta_theta_step, 6, ROVER_IMU_LANES, block->delta_theta);
+    rows_to_lanes(count, delta_velocity, delta_velocity_step, 6, ROVER_IMU_LANES,
+        block->delta_velocity);
+    rows_to_lanes(count, dt, dt_step, 1, ROVER_IMU_LANES, block->dt);
 }
 
 rover_status_t rover_imu_batch(
@@ -269,28 +372,68 @@ rover_status_t rover_imu_batch(
     if ((x != NULL) && (delta_theta != NULL) && (delta_velocity != NULL) && (dt != NULL) &&
         (value != NULL) && (jacobian != NULL) && (status != NULL)) {
         imu_block_t block;
-        int32_t count;
 
         result = (epochs < 0) ? ROVER_COUNT : ROVER_OK;
-        for (ptrdiff_t first = 0; first < epochs; first += count) {
+        for (ptrdiff_t first = 0; first < epochs; first += ROVER_IMU_LANES) {
             const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < ROVER_IMU_LANES) ? (int32_t)rest : ROVER_IMU_LANES;
 
-            count = (rest < ROVER_IMU_LANES) ? (int32_t)rest : ROVER_IMU_LANES;
-                imu_lanes(count, &x[first * x_step], x_step, &delta_theta[first * delta_theta_step],
-                    delta_theta_step, &delta_velocity[first * delta_velocity_step],
-                    delta_velocity_step, &dt[first * dt_step], dt_step, &block);
+            imu_gather(count, &x[first * x_step], x_step, &delta_theta[first * delta_theta_step],
+                delta_theta_step, &delta_velocity[first * delta_velocity_step], delta_velocity_step,
+                &dt[first * dt_step], dt_step, &block);
+            const rover_status_t outcome = imu_block(count, block.x, block.delta_theta,
+                block.delta_velocity, block.dt, block.value, block.jacobian_nz, &status[first]);
+
+            result = (outcome == ROVER_OK) ? result : outcome;
+            lanes_to_rows(count, &status[first], block.value, 3, ROVER_IMU_LANES,
+                &value[3 * first]);
             for (int32_t lane = 0; lane < count; ++lane) {
-                const ptrdiff_t epoch = first + lane;
-
-                status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)ROVER_OK) {
-                    imu_fill_value(&block.value[lane], ROVER_IMU_LANES, &value[3 * epoch]);
-                    imu_fill_jacobian(&block.jacobian[lane], ROVER_IMU_LANES,
-                        &jacobian[63 * epoch]);
-                } else {
-                    result = ROVER_PARTIAL;
+                if (status[first + lane] == (uint8_t)ROVER_OK) {
+                    imu_fill_jacobian(&block.jacobian_nz[lane], ROVER_IMU_LANES,
+                        &jacobian[63 * (first + lane)]);
                 }
             }
+        }
+    }
+    return result;
+}
+
+rover_status_t rover_imu_batch_nz(
+    int32_t epochs,
+    const rover_real_t x[ROVER_RESTRICT],
+    int32_t x_step,
+    const rover_real_t delta_theta[ROVER_RESTRICT],
+    int32_t delta_theta_step,
+    const rover_real_t delta_velocity[ROVER_RESTRICT],
+    int32_t delta_velocity_step,
+    const rover_real_t dt[ROVER_RESTRICT],
+    int32_t dt_step,
+    rover_real_t value[ROVER_RESTRICT],
+    rover_real_t jacobian_nz[ROVER_RESTRICT],
+    uint8_t status[ROVER_RESTRICT])
+{
+    rover_status_t result = ROVER_NULL;
+
+    if ((x != NULL) && (delta_theta != NULL) && (delta_velocity != NULL) && (dt != NULL) &&
+        (value != NULL) && (jacobian_nz != NULL) && (status != NULL)) {
+        imu_block_t block;
+
+        result = (epochs < 0) ? ROVER_COUNT : ROVER_OK;
+        for (ptrdiff_t first = 0; first < epochs; first += ROVER_IMU_LANES) {
+            const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < ROVER_IMU_LANES) ? (int32_t)rest : ROVER_IMU_LANES;
+
+            imu_gather(count, &x[first * x_step], x_step, &delta_theta[first * delta_theta_step],
+                delta_theta_step, &delta_velocity[first * delta_velocity_step], delta_velocity_step,
+                &dt[first * dt_step], dt_step, &block);
+            const rover_status_t outcome = imu_block(count, block.x, block.delta_theta,
+                block.delta_velocity, block.dt, block.value, block.jacobian_nz, &status[first]);
+
+            result = (outcome == ROVER_OK) ? result : outcome;
+            lanes_to_rows(count, &status[first], block.value, 3, ROVER_IMU_LANES,
+                &value[3 * first]);
+            lanes_to_rows(count, &status[first], block.jacobian_nz, 27, ROVER_IMU_LANES,
+                &jacobian_nz[27 * first]);
         }
     }
     return result;

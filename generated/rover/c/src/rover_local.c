@@ -9,15 +9,6 @@
 
 #include "rover_local_kernel.h"
 
-/* Epochs a batch evaluates side by side. */
-#define ROVER_LOCAL_LANES 64
-
-/** Non-zeros of a block of epochs, each stored contiguously across the epochs. */
-typedef struct {
-    rover_real_t value[21 * ROVER_LOCAL_LANES];
-    flag_t status[ROVER_LOCAL_LANES];
-} local_block_t;
-
 /* Store the non-zeros of value, a stride apart. */
 ROVER_INLINE void local_put_value(
     const local_output_t *out,
@@ -87,7 +78,7 @@ rover_status_t rover_local(
         local_input_t in;
         local_output_t out;
 
-        status = (rover_status_t)local_load(x, y, &in);
+        status = (rover_status_t)local_load(x, y, 1, &in);
         if (status == ROVER_OK) {
             status = (rover_status_t)local_kernel(&in, &out);
         }
@@ -98,23 +89,113 @@ rover_status_t rover_local(
     return status;
 }
 
-/* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static ROVER_WIDE void local_lanes(
+/* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
+static ROVER_WIDE flag_t local_check_lanes(
     int32_t count,
-    const rover_real_t x[ROVER_RESTRICT], ptrdiff_t x_step,
-    const rover_real_t y[ROVER_RESTRICT], ptrdiff_t y_step,
-    local_block_t *ROVER_RESTRICT block)
+    const rover_real_t x[ROVER_RESTRICT],
+    const rover_real_t y[ROVER_RESTRICT],
+    flag_t codes[ROVER_RESTRICT ROVER_LOCAL_LANES])
+{
+    flag_t failed = 0U;
+
+    ROVER_IVDEP
+    for (int32_t lane = 0; lane < count; ++lane) {
+        local_input_t in;
+        local_output_t out;
+        const flag_t loaded = local_load(&x[lane], &y[lane], ROVER_LOCAL_LANES, &in);
+        const flag_t evaluated = local_kernel(&in, &out);
+
+        codes[lane] = first_failure(loaded, evaluated);
+        failed |= codes[lane];
+    }
+    return failed;
+}
+
+/* Evaluate epochs side by side that have passed their checks. */
+static ROVER_WIDE void local_evaluate_lanes(
+    int32_t count,
+    const rover_real_t x[ROVER_RESTRICT],
+    const rover_real_t y[ROVER_RESTRICT],
+    rover_real_t value[ROVER_RESTRICT])
 {
     ROVER_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         local_input_t in;
         local_output_t out;
-        const flag_t loaded = local_load(&x[lane * x_step], &y[lane * y_step], &in);
-        const flag_t evaluated = local_kernel(&in, &out);
 
-        block->status[lane] = first_failure(loaded, evaluated);
-        local_put_value(&out, ROVER_LOCAL_LANES, &block->value[lane]);
+        local_copy(&x[lane], &y[lane], ROVER_LOCAL_LANES, &in);
+        (void)local_kernel(&in, &out);
+        local_put_value(&out, ROVER_LOCAL_LANES, &value[lane]);
     }
+}
+
+/* One block: outputs of lanes that fail stay as they are. */
+static rover_status_t local_block(
+    int32_t count,
+    const rover_real_t x[ROVER_RESTRICT],
+    const rover_real_t y[ROVER_RESTRICT],
+    rover_real_t value[ROVER_RESTRICT],
+    uint8_t status[ROVER_RESTRICT])
+{
+    flag_t codes[ROVER_LOCAL_LANES];
+    const flag_t failed = local_check_lanes(count, x, y, codes);
+
+    for (int32_t lane = 0; lane < count; ++lane) {
+        status[lane] = (uint8_t)codes[lane];
+    }
+    if (failed == (flag_t)ROVER_OK) {
+        local_evaluate_lanes(count, x, y, value);
+    } else {
+        for (int32_t lane = 0; lane < count; ++lane) {
+            if (codes[lane] == (flag_t)ROVER_OK) {
+                local_evaluate_lanes(1, &x[lane], &y[lane], &value[lane]);
+            }
+        }
+    }
+    return (failed == (flag_t)ROVER_OK) ? ROVER_OK : ROVER_PARTIAL;
+}
+
+rover_status_t rover_local_blocks(
+    int32_t epochs,
+    const rover_real_t x[ROVER_RESTRICT],
+    const rover_real_t y[ROVER_RESTRICT],
+    rover_real_t value[ROVER_RESTRICT],
+    uint8_t status[ROVER_RESTRICT])
+{
+    rover_status_t result = ROVER_NULL;
+
+    if ((x != NULL) && (y != NULL) && (value != NULL) && (status != NULL)) {
+        result = (epochs < 0) ? ROVER_COUNT : ROVER_OK;
+        for (ptrdiff_t first = 0; first < epochs; first += ROVER_LOCAL_LANES) {
+            const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < ROVER_LOCAL_LANES) ? (int32_t)rest : ROVER_LOCAL_LANES;
+            const rover_status_t outcome = local_block(count, &x[22 * first], &y[22 * first],
+                &value[21 * first], &status[first]);
+
+            result = (outcome == ROVER_OK) ? result : outcome;
+        }
+    }
+    return result;
+}
+
+/** A block of epochs. */
+typedef struct {
+    rover_real_t x[22 * ROVER_LOCAL_LANES];
+    rover_real_t y[22 * ROVER_LOCAL_LANES];
+    rover_real_t value[21 * ROVER_LOCAL_LANES];
+} local_block_t;
+
+/* Lay rows of epochs side by side. */
+static void local_gather(
+    int32_t count,
+    const rover_real_t x[ROVER_RESTRICT],
+    ptrdiff_t x_step,
+    const rover_real_t y[ROVER_RESTRICT],
+    ptrdiff_t y_step,
+    local_block_t *ROVER_RESTRICT block)
+{
+    rows_to_lanes(count, x, x_step, 22, ROVER_LOCAL_LANES, block->x);
+    rows_to_lanes(count, y, y_step, 22, ROVER_LOCAL_LANES, block->y);
 }
 
 rover_status_t rover_local_batch(
@@ -130,24 +211,19 @@ rover_status_t rover_local_batch(
 
     if ((x != NULL) && (y != NULL) && (value != NULL) && (status != NULL)) {
         local_block_t block;
-        int32_t count;
 
         result = (epochs < 0) ? ROVER_COUNT : ROVER_OK;
-        for (ptrdiff_t first = 0; first < epochs; first += count) {
+        for (ptrdiff_t first = 0; first < epochs; first += ROVER_LOCAL_LANES) {
             const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < ROVER_LOCAL_LANES) ? (int32_t)rest : ROVER_LOCAL_LANES;
 
-            count = (rest < ROVER_LOCAL_LANES) ? (int32_t)rest : ROVER_LOCAL_LANES;
-                local_lanes(count, &x[first * x_step], x_step, &y[first * y_step], y_step, &block);
-            for (int32_t lane = 0; lane < count; ++lane) {
-                const ptrdiff_t epoch = first + lane;
+            local_gather(count, &x[first * x_step], x_step, &y[first * y_step], y_step, &block);
+            const rover_status_t outcome =
+                local_block(count, block.x, block.y, block.value, &status[first]);
 
-                status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)ROVER_OK) {
-                    local_fill_value(&block.value[lane], ROVER_LOCAL_LANES, &value[21 * epoch]);
-                } else {
-                    result = ROVER_PARTIAL;
-                }
-            }
+            result = (outcome == ROVER_OK) ? result : outcome;
+            lanes_to_rows(count, &status[first], block.value, 21, ROVER_LOCAL_LANES,
+                &value[21 * first]);
         }
     }
     return result;

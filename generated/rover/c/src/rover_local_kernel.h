@@ -65,97 +65,154 @@ typedef struct {
 } local_output_t;
 
 /* Check and copy the inputs of one call. */
-ROVER_INLINE flag_t local_load(const rover_real_t x[], const rover_real_t y[], local_input_t *in)
+ROVER_INLINE flag_t local_load(
+    const rover_real_t x[],
+    const rover_real_t y[],
+    int32_t stride,
+    local_input_t *in)
 {
     flag_t outside = 0U;
     flag_t skewed = 0U;
 
     /* position [m, in n] */
     outside |= take_centred(x[0], 100000.0, &in->position_x);
-    outside |= take_centred(x[1], 100000.0, &in->position_y);
-    outside |= take_centred(x[2], 100000.0, &in->position_z);
+    outside |= take_centred(x[stride], 100000.0, &in->position_y);
+    outside |= take_centred(x[2 * stride], 100000.0, &in->position_z);
 
     /* velocity [m/s, in n] */
-    outside |= take_centred(x[3], 1000000000.0, &in->velocity_x);
-    outside |= take_centred(x[4], 1000000000.0, &in->velocity_y);
-    outside |= take_centred(x[5], 1000000000.0, &in->velocity_z);
+    outside |= take_centred(x[3 * stride], 1000000000.0, &in->velocity_x);
+    outside |= take_centred(x[4 * stride], 1000000000.0, &in->velocity_y);
+    outside |= take_centred(x[5 * stride], 1000000000.0, &in->velocity_z);
 
     /* attitude [b -> n] */
-    outside |= take_centred(x[6], 1.00001, &in->attitude_w);
-    outside |= take_centred(x[7], 1.00001, &in->attitude_x);
-    outside |= take_centred(x[8], 1.00001, &in->attitude_y);
-    outside |= take_centred(x[9], 1.00001, &in->attitude_z);
+    outside |= take_centred(x[6 * stride], 1.00001, &in->attitude_w);
+    outside |= take_centred(x[7 * stride], 1.00001, &in->attitude_x);
+    outside |= take_centred(x[8 * stride], 1.00001, &in->attitude_y);
+    outside |= take_centred(x[9 * stride], 1.00001, &in->attitude_z);
     skewed |= is_skewed_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z,
         1.0e-05);
 
     /* accelerometer_bias [m/s^2, in b] */
-    outside |= take_centred(x[10], 1.0, &in->accelerometer_bias_x);
-    outside |= take_centred(x[11], 1.0, &in->accelerometer_bias_y);
-    outside |= take_centred(x[12], 1.0, &in->accelerometer_bias_z);
+    outside |= take_centred(x[10 * stride], 1.0, &in->accelerometer_bias_x);
+    outside |= take_centred(x[11 * stride], 1.0, &in->accelerometer_bias_y);
+    outside |= take_centred(x[12 * stride], 1.0, &in->accelerometer_bias_z);
 
     /* gyro_bias [rad/s, in b] */
-    outside |= take_centred(x[13], 0.1, &in->gyro_bias_x);
-    outside |= take_centred(x[14], 0.1, &in->gyro_bias_y);
-    outside |= take_centred(x[15], 0.1, &in->gyro_bias_z);
+    outside |= take_centred(x[13 * stride], 0.1, &in->gyro_bias_x);
+    outside |= take_centred(x[14 * stride], 0.1, &in->gyro_bias_y);
+    outside |= take_centred(x[15 * stride], 0.1, &in->gyro_bias_z);
 
     /* antenna [m, in b] */
-    outside |= take_centred(x[16], 10.0, &in->antenna_x);
-    outside |= take_centred(x[17], 10.0, &in->antenna_y);
-    outside |= take_centred(x[18], 10.0, &in->antenna_z);
+    outside |= take_centred(x[16 * stride], 10.0, &in->antenna_x);
+    outside |= take_centred(x[17 * stride], 10.0, &in->antenna_y);
+    outside |= take_centred(x[18 * stride], 10.0, &in->antenna_z);
 
     /* b_gps [m] */
-    outside |= take_centred(x[19], 1000000.0, &in->b_gps);
+    outside |= take_centred(x[19 * stride], 1000000.0, &in->b_gps);
 
     /* b_galileo [m] */
-    outside |= take_centred(x[20], 1000000.0, &in->b_galileo);
+    outside |= take_centred(x[20 * stride], 1000000.0, &in->b_galileo);
 
     /* drift [m/s] */
-    outside |= take_centred(x[21], 1000000000.0, &in->drift);
+    outside |= take_centred(x[21 * stride], 1000000000.0, &in->drift);
 
     /* position [m, in n] */
     outside |= take_centred(y[0], 100000.0, &in->position_x_2);
-    outside |= take_centred(y[1], 100000.0, &in->position_y_2);
-    outside |= take_centred(y[2], 100000.0, &in->position_z_2);
+    outside |= take_centred(y[stride], 100000.0, &in->position_y_2);
+    outside |= take_centred(y[2 * stride], 100000.0, &in->position_z_2);
 
     /* velocity [m/s, in n] */
-    outside |= take_centred(y[3], 1000000000.0, &in->velocity_x_2);
-    outside |= take_centred(y[4], 1000000000.0, &in->velocity_y_2);
-    outside |= take_centred(y[5], 1000000000.0, &in->velocity_z_2);
+    outside |= take_centred(y[3 * stride], 1000000000.0, &in->velocity_x_2);
+    outside |= take_centred(y[4 * stride], 1000000000.0, &in->velocity_y_2);
+    outside |= take_centred(y[5 * stride], 1000000000.0, &in->velocity_z_2);
 
     /* attitude [b -> n] */
-    outside |= take_centred(y[6], 1.00001, &in->attitude_w_2);
-    outside |= take_centred(y[7], 1.00001, &in->attitude_x_2);
-    outside |= take_centred(y[8], 1.00001, &in->attitude_y_2);
-    outside |= take_centred(y[9], 1.00001, &in->attitude_z_2);
+    outside |= take_centred(y[6 * stride], 1.00001, &in->attitude_w_2);
+    outside |= take_centred(y[7 * stride], 1.00001, &in->attitude_x_2);
+    outside |= take_centred(y[8 * stride], 1.00001, &in->attitude_y_2);
+    outside |= take_centred(y[9 * stride], 1.00001, &in->attitude_z_2);
     skewed |= is_skewed_quaternion(in->attitude_w_2, in->attitude_x_2, in->attitude_y_2,
         in->attitude_z_2, 1.0e-05);
 
     /* accelerometer_bias [m/s^2, in b] */
-    outside |= take_centred(y[10], 1.0, &in->accelerometer_bias_x_2);
-    outside |= take_centred(y[11], 1.0, &in->accelerometer_bias_y_2);
-    outside |= take_centred(y[12], 1.0, &in->accelerometer_bias_z_2);
+    outside |= take_centred(y[10 * stride], 1.0, &in->accelerometer_bias_x_2);
+    outside |= take_centred(y[11 * stride], 1.0, &in->accelerometer_bias_y_2);
+    outside |= take_centred(y[12 * stride], 1.0, &in->accelerometer_bias_z_2);
 
     /* gyro_bias [rad/s, in b] */
-    outside |= take_centred(y[13], 0.1, &in->gyro_bias_x_2);
-    outside |= take_centred(y[14], 0.1, &in->gyro_bias_y_2);
-    outside |= take_centred(y[15], 0.1, &in->gyro_bias_z_2);
+    outside |= take_centred(y[13 * stride], 0.1, &in->gyro_bias_x_2);
+    outside |= take_centred(y[14 * stride], 0.1, &in->gyro_bias_y_2);
+    outside |= take_centred(y[15 * stride], 0.1, &in->gyro_bias_z_2);
 
     /* antenna [m, in b] */
-    outside |= take_centred(y[16], 10.0, &in->antenna_x_2);
-    outside |= take_centred(y[17], 10.0, &in->antenna_y_2);
-    outside |= take_centred(y[18], 10.0, &in->antenna_z_2);
+    outside |= take_centred(y[16 * stride], 10.0, &in->antenna_x_2);
+    outside |= take_centred(y[17 * stride], 10.0, &in->antenna_y_2);
+    outside |= take_centred(y[18 * stride], 10.0, &in->antenna_z_2);
 
     /* b_gps [m] */
-    outside |= take_centred(y[19], 1000000.0, &in->b_gps_2);
+    outside |= take_centred(y[19 * stride], 1000000.0, &in->b_gps_2);
 
     /* b_galileo [m] */
-    outside |= take_centred(y[20], 1000000.0, &in->b_galileo_2);
+    outside |= take_centred(y[20 * stride], 1000000.0, &in->b_galileo_2);
 
     /* drift [m/s] */
-    outside |= take_centred(y[21], 1000000000.0, &in->drift_2);
+    outside |= take_centred(y[21 * stride], 1000000000.0, &in->drift_2);
 
     return (outside != 0U) ? (flag_t)ROVER_RANGE :
         ((skewed != 0U) ? (flag_t)ROVER_QNORM : (flag_t)ROVER_OK);
+}
+
+/* Copy the inputs of one call that has passed its checks. */
+ROVER_INLINE void local_copy(
+    const rover_real_t x[],
+    const rover_real_t y[],
+    int32_t stride,
+    local_input_t *in)
+{
+    in->position_x = x[0];
+    in->position_y = x[stride];
+    in->position_z = x[2 * stride];
+    in->velocity_x = x[3 * stride];
+    in->velocity_y = x[4 * stride];
+    in->velocity_z = x[5 * stride];
+    in->attitude_w = x[6 * stride];
+    in->attitude_x = x[7 * stride];
+    in->attitude_y = x[8 * stride];
+    in->attitude_z = x[9 * stride];
+    in->accelerometer_bias_x = x[10 * stride];
+    in->accelerometer_bias_y = x[11 * stride];
+    in->accelerometer_bias_z = x[12 * stride];
+    in->gyro_bias_x = x[13 * stride];
+    in->gyro_bias_y = x[14 * stride];
+    in->gyro_bias_z = x[15 * stride];
+    in->antenna_x = x[16 * stride];
+    in->antenna_y = x[17 * stride];
+    in->antenna_z = x[18 * stride];
+    in->b_gps = x[19 * stride];
+    in->b_galileo = x[20 * stride];
+    in->drift = x[21 * stride];
+    in->position_x_2 = y[0];
+    in->position_y_2 = y[stride];
+    in->position_z_2 = y[2 * stride];
+    in->velocity_x_2 = y[3 * stride];
+    in->velocity_y_2 = y[4 * stride];
+    in->velocity_z_2 = y[5 * stride];
+    in->attitude_w_2 = y[6 * stride];
+    in->attitude_x_2 = y[7 * stride];
+    in->attitude_y_2 = y[8 * stride];
+    in->attitude_z_2 = y[9 * stride];
+    in->accelerometer_bias_x_2 = y[10 * stride];
+    in->accelerometer_bias_y_2 = y[11 * stride];
+    in->accelerometer_bias_z_2 = y[12 * stride];
+    in->gyro_bias_x_2 = y[13 * stride];
+    in->gyro_bias_y_2 = y[14 * stride];
+    in->gyro_bias_z_2 = y[15 * stride];
+    in->antenna_x_2 = y[16 * stride];
+    in->antenna_y_2 = y[17 * stride];
+    in->antenna_z_2 = y[18 * stride];
+    in->b_gps_2 = y[19 * stride];
+    in->b_galileo_2 = y[20 * stride];
+    in->drift_2 = y[21 * stride];
 }
 
 /* Error between two states: values and structural non-zeros. */

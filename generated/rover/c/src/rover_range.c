@@ -440,6 +440,7 @@ rover_status_t rover_range_jacobian(
 
 /* Non-zeros straight into the caller's columns, neighbouring items in one vector register. */
 ROVER_INLINE void range_columns(
+    int32_t stride,
     const range_input_t *ROVER_RESTRICT in,
     const range_shared_t *ROVER_RESTRICT shared,
     int32_t count,
@@ -465,8 +466,53 @@ ROVER_INLINE void range_columns(
         codes[i] = first_failure(loaded, evaluated);
         range_fill_value(out.value, &value[i]);
         range_fill_residual(out.residual, &residual[i]);
-        range_put_jacobian(&out, ROVER_RANGE_MAX_ITEMS, &jacobian_nz[i]);
+        range_put_jacobian(&out, stride, &jacobian_nz[i]);
     }
+}
+
+/* The same with all that comes before and after; columns are a stride apart. */
+ROVER_INLINE rover_status_t range_sparse(
+    int32_t stride,
+    const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
+    int32_t n,
+    const rover_real_t nav_to_ecef[ROVER_RESTRICT 4],
+    const rover_real_t origin[ROVER_RESTRICT 3],
+    const int32_t system[ROVER_RESTRICT ROVER_RANGE_MAX_ITEMS],
+    const rover_real_t satellite_position[ROVER_RESTRICT ROVER_RANGE_MAX_ITEMS * 3],
+    const rover_real_t satellite_clock[ROVER_RESTRICT ROVER_RANGE_MAX_ITEMS],
+    const rover_real_t troposphere[ROVER_RESTRICT ROVER_RANGE_MAX_ITEMS],
+    const rover_real_t ionosphere[ROVER_RESTRICT ROVER_RANGE_MAX_ITEMS],
+    const rover_real_t measured[ROVER_RESTRICT ROVER_RANGE_MAX_ITEMS],
+    rover_real_t value[ROVER_RESTRICT ROVER_RANGE_MAX_ITEMS],
+    rover_real_t residual[ROVER_RESTRICT ROVER_RANGE_MAX_ITEMS],
+    rover_real_t jacobian_nz[ROVER_RESTRICT 11 * ROVER_RANGE_MAX_ITEMS],
+    uint8_t item_status[ROVER_RESTRICT ROVER_RANGE_MAX_ITEMS])
+{
+    range_input_t in;
+    range_shared_t shared;
+    rover_status_t status = (rover_status_t)range_load(x, nav_to_ecef, origin, &in);
+
+    if (status == ROVER_OK) {
+        status = (rover_status_t)range_shared(&in, &shared);
+        if (status == ROVER_OK) {
+            flag_t codes[ROVER_RANGE_MAX_ITEMS];
+
+            range_columns(stride, &in, &shared, n, system, satellite_position, satellite_clock,
+                troposphere, ionosphere, measured, value, residual, jacobian_nz, codes);
+            for (int32_t i = 0; i < n; ++i) {
+                item_status[i] = (uint8_t)codes[i];
+                if (codes[i] != (flag_t)ROVER_OK) {
+                    range_clear_value(&value[i]);
+                    range_clear_residual(&residual[i]);
+                    for (int32_t k = 0; k < 11; ++k) {
+                        jacobian_nz[(k * stride) + i] = 0.0;
+                    }
+                    status = ROVER_PARTIAL;
+                }
+            }
+        }
+    }
+    return status;
 }
 
 ROVER_WIDE rover_status_t rover_range_nz(
@@ -493,30 +539,9 @@ ROVER_WIDE rover_status_t rover_range_nz(
         (jacobian_nz != NULL) && (item_status != NULL)) {
         status = ROVER_COUNT;
         if ((n >= 0) && (n <= ROVER_RANGE_MAX_ITEMS)) {
-            range_input_t in;
-            range_shared_t shared;
-
-            status = (rover_status_t)range_load(x, nav_to_ecef, origin, &in);
-            if (status == ROVER_OK) {
-                status = (rover_status_t)range_shared(&in, &shared);
-                if (status == ROVER_OK) {
-                    flag_t codes[ROVER_RANGE_MAX_ITEMS];
-
-                    range_columns(&in, &shared, n, system, satellite_position, satellite_clock,
-                        troposphere, ionosphere, measured, value, residual, jacobian_nz, codes);
-                    for (int32_t i = 0; i < n; ++i) {
-                        item_status[i] = (uint8_t)codes[i];
-                        if (codes[i] != (flag_t)ROVER_OK) {
-                            range_clear_value(&value[i]);
-                            range_clear_residual(&residual[i]);
-                            for (int32_t k = 0; k < 11; ++k) {
-                                jacobian_nz[(k * ROVER_RANGE_MAX_ITEMS) + i] = 0.0;
-                            }
-                            status = ROVER_PARTIAL;
-                        }
-                    }
-                }
-            }
+            status = range_sparse(ROVER_RANGE_MAX_ITEMS, x, n, nav_to_ecef, origin, system,
+                satellite_position, satellite_clock, troposphere, ionosphere, measured, value,
+                residual, jacobian_nz, item_status);
         }
     }
     return status;
@@ -567,6 +592,62 @@ rover_status_t rover_range_batch(
                     &troposphere[epoch * troposphere_step], &ionosphere[epoch * ionosphere_step],
                     &measured[epoch * measured_step], &value[epoch * n], &residual[epoch * n],
                     &jacobian[(21 * epoch) * n], &item_status[epoch * n]);
+
+                status[epoch] = (uint8_t)outcome;
+                if (outcome != ROVER_OK) {
+                    result = ROVER_PARTIAL;
+                }
+            }
+        }
+    }
+    return result;
+}
+
+ROVER_WIDE rover_status_t rover_range_batch_nz(
+    int32_t epochs,
+    const rover_real_t x[ROVER_RESTRICT],
+    int32_t x_step,
+    int32_t n,
+    const rover_real_t nav_to_ecef[ROVER_RESTRICT],
+    int32_t nav_to_ecef_step,
+    const rover_real_t origin[ROVER_RESTRICT],
+    int32_t origin_step,
+    const int32_t system[ROVER_RESTRICT],
+    int32_t system_step,
+    const rover_real_t satellite_position[ROVER_RESTRICT],
+    int32_t satellite_position_step,
+    const rover_real_t satellite_clock[ROVER_RESTRICT],
+    int32_t satellite_clock_step,
+    const rover_real_t troposphere[ROVER_RESTRICT],
+    int32_t troposphere_step,
+    const rover_real_t ionosphere[ROVER_RESTRICT],
+    int32_t ionosphere_step,
+    const rover_real_t measured[ROVER_RESTRICT],
+    int32_t measured_step,
+    rover_real_t value[ROVER_RESTRICT],
+    rover_real_t residual[ROVER_RESTRICT],
+    rover_real_t jacobian_nz[ROVER_RESTRICT],
+    uint8_t status[ROVER_RESTRICT],
+    uint8_t item_status[ROVER_RESTRICT])
+{
+    rover_status_t result = ROVER_NULL;
+
+    if ((x != NULL) && (nav_to_ecef != NULL) && (origin != NULL) && (system != NULL) &&
+        (satellite_position != NULL) && (satellite_clock != NULL) && (troposphere != NULL) &&
+        (ionosphere != NULL) && (measured != NULL) && (value != NULL) && (residual != NULL) &&
+        (jacobian_nz != NULL) && (status != NULL) && (item_status != NULL)) {
+        result = ROVER_COUNT;
+        if ((epochs >= 0) && (n >= 0) && (n <= ROVER_RANGE_MAX_ITEMS)) {
+            result = ROVER_OK;
+            for (ptrdiff_t epoch = 0; epoch < epochs; ++epoch) {
+                const rover_status_t outcome = range_sparse(n, &x[epoch * x_step], n,
+                    &nav_to_ecef[epoch * nav_to_ecef_step], &origin[epoch * origin_step],
+                    &system[epoch * system_step],
+                    &satellite_position[epoch * satellite_position_step],
+                    &satellite_clock[epoch * satellite_clock_step],
+                    &troposphere[epoch * troposphere_step], &ionosphere[epoch * ionosphere_step],
+                    &measured[epoch * measured_step], &value[epoch * n], &residual[epoch * n],
+                    &jacobian_nz[(11 * epoch) * n], &item_status[epoch * n]);
 
                 status[epoch] = (uint8_t)outcome;
                 if (outcome != ROVER_OK) {

@@ -9,15 +9,6 @@
 
 #include "rover_retract_kernel.h"
 
-/* Epochs a batch evaluates side by side. */
-#define ROVER_RETRACT_LANES 64
-
-/** Non-zeros of a block of epochs, each stored contiguously across the epochs. */
-typedef struct {
-    rover_real_t value[22 * ROVER_RETRACT_LANES];
-    flag_t status[ROVER_RETRACT_LANES];
-} retract_block_t;
-
 /* Store the non-zeros of value, a stride apart. */
 ROVER_INLINE void retract_put_value(
     const retract_output_t *out,
@@ -89,7 +80,7 @@ rover_status_t rover_retract(
         retract_input_t in;
         retract_output_t out;
 
-        status = (rover_status_t)retract_load(x, d, &in);
+        status = (rover_status_t)retract_load(x, d, 1, &in);
         if (status == ROVER_OK) {
             status = (rover_status_t)retract_kernel(&in, &out);
         }
@@ -100,23 +91,114 @@ rover_status_t rover_retract(
     return status;
 }
 
-/* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static ROVER_WIDE void retract_lanes(
+/* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
+static ROVER_WIDE flag_t retract_check_lanes(
     int32_t count,
-    const rover_real_t x[ROVER_RESTRICT], ptrdiff_t x_step,
-    const rover_real_t d[ROVER_RESTRICT], ptrdiff_t d_step,
-    retract_block_t *ROVER_RESTRICT block)
+    const rover_real_t x[ROVER_RESTRICT],
+    const rover_real_t d[ROVER_RESTRICT],
+    flag_t codes[ROVER_RESTRICT ROVER_RETRACT_LANES])
+{
+    flag_t failed = 0U;
+
+    ROVER_IVDEP
+    for (int32_t lane = 0; lane < count; ++lane) {
+        retract_input_t in;
+        retract_output_t out;
+        const flag_t loaded = retract_load(&x[lane], &d[lane], ROVER_RETRACT_LANES, &in);
+        const flag_t evaluated = retract_kernel(&in, &out);
+
+        codes[lane] = first_failure(loaded, evaluated);
+        failed |= codes[lane];
+    }
+    return failed;
+}
+
+/* Evaluate epochs side by side that have passed their checks. */
+static ROVER_WIDE void retract_evaluate_lanes(
+    int32_t count,
+    const rover_real_t x[ROVER_RESTRICT],
+    const rover_real_t d[ROVER_RESTRICT],
+    rover_real_t value[ROVER_RESTRICT])
 {
     ROVER_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         retract_input_t in;
         retract_output_t out;
-        const flag_t loaded = retract_load(&x[lane * x_step], &d[lane * d_step], &in);
-        const flag_t evaluated = retract_kernel(&in, &out);
 
-        block->status[lane] = first_failure(loaded, evaluated);
-        retract_put_value(&out, ROVER_RETRACT_LANES, &block->value[lane]);
+        retract_copy(&x[lane], &d[lane], ROVER_RETRACT_LANES, &in);
+        (void)retract_kernel(&in, &out);
+        retract_put_value(&out, ROVER_RETRACT_LANES, &value[lane]);
     }
+}
+
+/* One block: outputs of lanes that fail stay as they are. */
+static rover_status_t retract_block(
+    int32_t count,
+    const rover_real_t x[ROVER_RESTRICT],
+    const rover_real_t d[ROVER_RESTRICT],
+    rover_real_t value[ROVER_RESTRICT],
+    uint8_t status[ROVER_RESTRICT])
+{
+    flag_t codes[ROVER_RETRACT_LANES];
+    const flag_t failed = retract_check_lanes(count, x, d, codes);
+
+    for (int32_t lane = 0; lane < count; ++lane) {
+        status[lane] = (uint8_t)codes[lane];
+    }
+    if (failed == (flag_t)ROVER_OK) {
+        retract_evaluate_lanes(count, x, d, value);
+    } else {
+        for (int32_t lane = 0; lane < count; ++lane) {
+            if (codes[lane] == (flag_t)ROVER_OK) {
+                retract_evaluate_lanes(1, &x[lane], &d[lane], &value[lane]);
+            }
+        }
+    }
+    return (failed == (flag_t)ROVER_OK) ? ROVER_OK : ROVER_PARTIAL;
+}
+
+rover_status_t rover_retract_blocks(
+    int32_t epochs,
+    const rover_real_t x[ROVER_RESTRICT],
+    const rover_real_t d[ROVER_RESTRICT],
+    rover_real_t value[ROVER_RESTRICT],
+    uint8_t status[ROVER_RESTRICT])
+{
+    rover_status_t result = ROVER_NULL;
+
+    if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
+        result = (epochs < 0) ? ROVER_COUNT : ROVER_OK;
+        for (ptrdiff_t first = 0; first < epochs; first += ROVER_RETRACT_LANES) {
+            const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < ROVER_RETRACT_LANES) ? (int32_t)rest :
+                ROVER_RETRACT_LANES;
+            const rover_status_t outcome = retract_block(count, &x[22 * first], &d[21 * first],
+                &value[22 * first], &status[first]);
+
+            result = (outcome == ROVER_OK) ? result : outcome;
+        }
+    }
+    return result;
+}
+
+/** A block of epochs. */
+typedef struct {
+    rover_real_t x[22 * ROVER_RETRACT_LANES];
+    rover_real_t d[21 * ROVER_RETRACT_LANES];
+    rover_real_t value[22 * ROVER_RETRACT_LANES];
+} retract_block_t;
+
+/* Lay rows of epochs side by side. */
+static void retract_gather(
+    int32_t count,
+    const rover_real_t x[ROVER_RESTRICT],
+    ptrdiff_t x_step,
+    const rover_real_t d[ROVER_RESTRICT],
+    ptrdiff_t d_step,
+    retract_block_t *ROVER_RESTRICT block)
+{
+    rows_to_lanes(count, x, x_step, 22, ROVER_RETRACT_LANES, block->x);
+    rows_to_lanes(count, d, d_step, 21, ROVER_RETRACT_LANES, block->d);
 }
 
 rover_status_t rover_retract_batch(
@@ -132,25 +214,20 @@ rover_status_t rover_retract_batch(
 
     if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
         retract_block_t block;
-        int32_t count;
 
         result = (epochs < 0) ? ROVER_COUNT : ROVER_OK;
-        for (ptrdiff_t first = 0; first < epochs; first += count) {
+        for (ptrdiff_t first = 0; first < epochs; first += ROVER_RETRACT_LANES) {
             const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < ROVER_RETRACT_LANES) ? (int32_t)rest :
+                ROVER_RETRACT_LANES;
 
-            count = (rest < ROVER_RETRACT_LANES) ? (int32_t)rest : ROVER_RETRACT_LANES;
-                retract_lanes(count, &x[first * x_step], x_step, &d[first * d_step], d_step,
-                    &block);
-            for (int32_t lane = 0; lane < count; ++lane) {
-                const ptrdiff_t epoch = first + lane;
+            retract_gather(count, &x[first * x_step], x_step, &d[first * d_step], d_step, &block);
+            const rover_status_t outcome =
+                retract_block(count, block.x, block.d, block.value, &status[first]);
 
-                status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)ROVER_OK) {
-                    retract_fill_value(&block.value[lane], ROVER_RETRACT_LANES, &value[22 * epoch]);
-                } else {
-                    result = ROVER_PARTIAL;
-                }
-            }
+            result = (outcome == ROVER_OK) ? result : outcome;
+            lanes_to_rows(count, &status[first], block.value, 22, ROVER_RETRACT_LANES,
+                &value[22 * first]);
         }
     }
     return result;

@@ -9,18 +9,6 @@
 
 #include "single_point_broadcast_orbit_kernel.h"
 
-/* Epochs a batch evaluates side by side. */
-#define SINGLE_POINT_BROADCAST_ORBIT_LANES 64
-
-/** Non-zeros of a block of epochs, each stored contiguously across the epochs. */
-typedef struct {
-    single_point_real_t position[3 * SINGLE_POINT_BROADCAST_ORBIT_LANES];
-    single_point_real_t clock[SINGLE_POINT_BROADCAST_ORBIT_LANES];
-    single_point_real_t velocity[3 * SINGLE_POINT_BROADCAST_ORBIT_LANES];
-    single_point_real_t clock_rate[SINGLE_POINT_BROADCAST_ORBIT_LANES];
-    flag_t status[SINGLE_POINT_BROADCAST_ORBIT_LANES];
-} broadcast_orbit_block_t;
-
 /* Store the non-zeros of position, a stride apart. */
 SINGLE_POINT_INLINE void broadcast_orbit_put_position(
     const broadcast_orbit_output_t *out,
@@ -154,64 +142,333 @@ single_point_status_t single_point_broadcast_orbit(
     return status;
 }
 
-/* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static SINGLE_POINT_WIDE void broadcast_orbit_lanes(
+/* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
+static SINGLE_POINT_WIDE flag_t broadcast_orbit_check_lanes(
     int32_t count,
-    const single_point_real_t time_2[SINGLE_POINT_RESTRICT], ptrdiff_t time_2_step,
-    const single_point_real_t toe[SINGLE_POINT_RESTRICT], ptrdiff_t toe_step,
-    const single_point_real_t toc[SINGLE_POINT_RESTRICT], ptrdiff_t toc_step,
-    const single_point_real_t sqrt_a[SINGLE_POINT_RESTRICT], ptrdiff_t sqrt_a_step,
-    const single_point_real_t eccentricity[SINGLE_POINT_RESTRICT], ptrdiff_t eccentricity_step,
-    const single_point_real_t mean_anomaly[SINGLE_POINT_RESTRICT], ptrdiff_t mean_anomaly_step,
-    const single_point_real_t mean_motion_difference[SINGLE_POINT_RESTRICT], ptrdiff_t
-        mean_motion_difference_step,
-    const single_point_real_t inclination[SINGLE_POINT_RESTRICT], ptrdiff_t inclination_step,
-    const single_point_real_t inclination_rate[SINGLE_POINT_RESTRICT], ptrdiff_t
-        inclination_rate_step,
-    const single_point_real_t right_ascension[SINGLE_POINT_RESTRICT], ptrdiff_t
-        right_ascension_step,
-    const single_point_real_t right_ascension_rate[SINGLE_POINT_RESTRICT], ptrdiff_t
-        right_ascension_rate_step,
-    const single_point_real_t argument_of_perigee[SINGLE_POINT_RESTRICT], ptrdiff_t
-        argument_of_perigee_step,
-    const single_point_real_t cuc[SINGLE_POINT_RESTRICT], ptrdiff_t cuc_step,
-    const single_point_real_t cus[SINGLE_POINT_RESTRICT], ptrdiff_t cus_step,
-    const single_point_real_t crc[SINGLE_POINT_RESTRICT], ptrdiff_t crc_step,
-    const single_point_real_t crs[SINGLE_POINT_RESTRICT], ptrdiff_t crs_step,
-    const single_point_real_t cic[SINGLE_POINT_RESTRICT], ptrdiff_t cic_step,
-    const single_point_real_t cis[SINGLE_POINT_RESTRICT], ptrdiff_t cis_step,
-    const single_point_real_t af0[SINGLE_POINT_RESTRICT], ptrdiff_t af0_step,
-    const single_point_real_t af1[SINGLE_POINT_RESTRICT], ptrdiff_t af1_step,
-    const single_point_real_t af2[SINGLE_POINT_RESTRICT], ptrdiff_t af2_step,
-    const single_point_real_t group_delay[SINGLE_POINT_RESTRICT], ptrdiff_t group_delay_step,
-    broadcast_orbit_block_t *SINGLE_POINT_RESTRICT block)
+    const single_point_real_t time_2[SINGLE_POINT_RESTRICT],
+    const single_point_real_t toe[SINGLE_POINT_RESTRICT],
+    const single_point_real_t toc[SINGLE_POINT_RESTRICT],
+    const single_point_real_t sqrt_a[SINGLE_POINT_RESTRICT],
+    const single_point_real_t eccentricity[SINGLE_POINT_RESTRICT],
+    const single_point_real_t mean_anomaly[SINGLE_POINT_RESTRICT],
+    const single_point_real_t mean_motion_difference[SINGLE_POINT_RESTRICT],
+    const single_point_real_t inclination[SINGLE_POINT_RESTRICT],
+    const single_point_real_t inclination_rate[SINGLE_POINT_RESTRICT],
+    const single_point_real_t right_ascension[SINGLE_POINT_RESTRICT],
+    const single_point_real_t right_ascension_rate[SINGLE_POINT_RESTRICT],
+    const single_point_real_t argument_of_perigee[SINGLE_POINT_RESTRICT],
+    const single_point_real_t cuc[SINGLE_POINT_RESTRICT],
+    const single_point_real_t cus[SINGLE_POINT_RESTRICT],
+    const single_point_real_t crc[SINGLE_POINT_RESTRICT],
+    const single_point_real_t crs[SINGLE_POINT_RESTRICT],
+    const single_point_real_t cic[SINGLE_POINT_RESTRICT],
+    const single_point_real_t cis[SINGLE_POINT_RESTRICT],
+    const single_point_real_t af0[SINGLE_POINT_RESTRICT],
+    const single_point_real_t af1[SINGLE_POINT_RESTRICT],
+    const single_point_real_t af2[SINGLE_POINT_RESTRICT],
+    const single_point_real_t group_delay[SINGLE_POINT_RESTRICT],
+    flag_t codes[SINGLE_POINT_RESTRICT SINGLE_POINT_BROADCAST_ORBIT_LANES])
+{
+    flag_t failed = 0U;
+
+    SINGLE_POINT_IVDEP
+    for (int32_t lane = 0; lane < count; ++lane) {
+        broadcast_orbit_input_t in;
+        broadcast_orbit_output_t out;
+        const flag_t loaded = broadcast_orbit_load(&time_2[lane], &toe[lane], &toc[lane],
+            &sqrt_a[lane], &eccentricity[lane], &mean_anomaly[lane], &mean_motion_difference[lane],
+            &inclination[lane], &inclination_rate[lane], &right_ascension[lane],
+            &right_ascension_rate[lane], &argument_of_perigee[lane], &cuc[lane], &cus[lane],
+            &crc[lane], &crs[lane], &cic[lane], &cis[lane], &af0[lane], &af1[lane], &af2[lane],
+            &group_delay[lane], &in);
+        const flag_t evaluated = broadcast_orbit_kernel(&in, &out);
+
+        codes[lane] = first_failure(loaded, evaluated);
+        failed |= codes[lane];
+    }
+    return failed;
+}
+
+/* Evaluate epochs side by side that have passed their checks. */
+static SINGLE_POINT_WIDE void broadcast_orbit_evaluate_lanes(
+    int32_t count,
+    const single_point_real_t time_2[SINGLE_POINT_RESTRICT],
+    const single_point_real_t toe[SINGLE_POINT_RESTRICT],
+    const single_point_real_t toc[SINGLE_POINT_RESTRICT],
+    const single_point_real_t sqrt_a[SINGLE_POINT_RESTRICT],
+    const single_point_real_t eccentricity[SINGLE_POINT_RESTRICT],
+    const single_point_real_t mean_anomaly[SINGLE_POINT_RESTRICT],
+    const single_point_real_t mean_motion_difference[SINGLE_POINT_RESTRICT],
+    const single_point_real_t inclination[SINGLE_POINT_RESTRICT],
+    const single_point_real_t inclination_rate[SINGLE_POINT_RESTRICT],
+    const single_point_real_t right_ascension[SINGLE_POINT_RESTRICT],
+    const single_point_real_t right_ascension_rate[SINGLE_POINT_RESTRICT],
+    const single_point_real_t argument_of_perigee[SINGLE_POINT_RESTRICT],
+    const single_point_real_t cuc[SINGLE_POINT_RESTRICT],
+    const single_point_real_t cus[SINGLE_POINT_RESTRICT],
+    const single_point_real_t crc[SINGLE_POINT_RESTRICT],
+    const single_point_real_t crs[SINGLE_POINT_RESTRICT],
+    const single_point_real_t cic[SINGLE_POINT_RESTRICT],
+    const single_point_real_t cis[SINGLE_POINT_RESTRICT],
+    const single_point_real_t af0[SINGLE_POINT_RESTRICT],
+    const single_point_real_t af1[SINGLE_POINT_RESTRICT],
+    const single_point_real_t af2[SINGLE_POINT_RESTRICT],
+    const single_point_real_t group_delay[SINGLE_POINT_RESTRICT],
+    single_point_real_t position[SINGLE_POINT_RESTRICT],
+    single_point_real_t clock[SINGLE_POINT_RESTRICT],
+    single_point_real_t velocity[SINGLE_POINT_RESTRICT],
+    single_point_real_t clock_rate[SINGLE_POINT_RESTRICT])
 {
     SINGLE_POINT_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         broadcast_orbit_input_t in;
         broadcast_orbit_output_t out;
-        const flag_t loaded = broadcast_orbit_load(&time_2[lane * time_2_step],
-            &toe[lane * toe_step], &toc[lane * toc_step], &sqrt_a[lane * sqrt_a_step],
-            &eccentricity[lane * eccentricity_step], &mean_anomaly[lane * mean_anomaly_step],
-            &mean_motion_difference[lane * mean_motion_difference_step],
-            &inclination[lane * inclination_step], &inclination_rate[lane * inclination_rate_step],
-            &right_ascension[lane * right_ascension_step],
-            &right_ascension_rate[lane * right_ascension_rate_step],
-            &argument_of_perigee[lane * argument_of_perigee_step], &cuc[lane * cuc_step],
-            &cus[lane * cus_step], &crc[lane * crc_step], &crs[lane * crs_step],
-            &cic[lane * cic_step], &cis[lane * cis_step], &af0[lane * af0_step],
-            &af1[lane * af1_step], &af2[lane * af2_step], &group_delay[lane * group_delay_step],
-            &in);
-        const flag_t evaluated = broadcast_orbit_kernel(&in, &out);
 
-        block->status[lane] = first_failure(loaded, evaluated);
-        broadcast_orbit_put_position(&out, SINGLE_POINT_BROADCAST_ORBIT_LANES,
-            &block->position[lane]);
-        broadcast_orbit_put_clock(&out, &block->clock[lane]);
-        broadcast_orbit_put_velocity(&out, SINGLE_POINT_BROADCAST_ORBIT_LANES,
-            &block->velocity[lane]);
-        broadcast_orbit_put_clock_rate(&out, &block->clock_rate[lane]);
+        broadcast_orbit_copy(&time_2[lane], &toe[lane], &toc[lane], &sqrt_a[lane],
+            &eccentricity[lane], &mean_anomaly[lane], &mean_motion_difference[lane],
+            &inclination[lane], &inclination_rate[lane], &right_ascension[lane],
+            &right_ascension_rate[lane], &argument_of_perigee[lane], &cuc[lane], &cus[lane],
+            &crc[lane], &crs[lane], &cic[lane], &cis[lane], &af0[lane], &af1[lane], &af2[lane],
+            &group_delay[lane], &in);
+        (void)broadcast_orbit_kernel(&in, &out);
+        broadcast_orbit_put_position(&out, SINGLE_POINT_BROADCAST_ORBIT_LANES, &position[lane]);
+        broadcast_orbit_put_clock(&out, &clock[lane]);
+        broadcast_orbit_put_velocity(&out, SINGLE_POINT_BROADCAST_ORBIT_LANES, &velocity[lane]);
+        broadcast_orbit_put_clock_rate(&out, &clock_rate[lane]);
     }
+}
+
+/* One block: outputs of lanes that fail stay as they are. */
+static single_point_status_t broadcast_orbit_block(
+    int32_t count,
+    const single_point_real_t time_2[SINGLE_POINT_RESTRICT],
+    const single_point_real_t toe[SINGLE_POINT_RESTRICT],
+    const single_point_real_t toc[SINGLE_POINT_RESTRICT],
+    const single_point_real_t sqrt_a[SINGLE_POINT_RESTRICT],
+    const single_point_real_t eccentricity[SINGLE_POINT_RESTRICT],
+    const single_point_real_t mean_anomaly[SINGLE_POINT_RESTRICT],
+    const single_point_real_t mean_motion_difference[SINGLE_POINT_RESTRICT],
+    const single_point_real_t inclination[SINGLE_POINT_RESTRICT],
+    const single_point_real_t inclination_rate[SINGLE_POINT_RESTRICT],
+    const single_point_real_t right_ascension[SINGLE_POINT_RESTRICT],
+    const single_point_real_t right_ascension_rate[SINGLE_POINT_RESTRICT],
+    const single_point_real_t argument_of_perigee[SINGLE_POINT_RESTRICT],
+    const single_point_real_t cuc[SINGLE_POINT_RESTRICT],
+    const single_point_real_t cus[SINGLE_POINT_RESTRICT],
+    const single_point_real_t crc[SINGLE_POINT_RESTRICT],
+    const single_point_real_t crs[SINGLE_POINT_RESTRICT],
+    const single_point_real_t cic[SINGLE_POINT_RESTRICT],
+    const single_point_real_t cis[SINGLE_POINT_RESTRICT],
+    const single_point_real_t af0[SINGLE_POINT_RESTRICT],
+    const single_point_real_t af1[SINGLE_POINT_RESTRICT],
+    const single_point_real_t af2[SINGLE_POINT_RESTRICT],
+    const single_point_real_t group_delay[SINGLE_POINT_RESTRICT],
+    single_point_real_t position[SINGLE_POINT_RESTRICT],
+    single_point_real_t clock[SINGLE_POINT_RESTRICT],
+    single_point_real_t velocity[SINGLE_POINT_RESTRICT],
+    single_point_real_t clock_rate[SINGLE_POINT_RESTRICT],
+    uint8_t status[SINGLE_POINT_RESTRICT])
+{
+    flag_t codes[SINGLE_POINT_BROADCAST_ORBIT_LANES];
+    const flag_t failed = broadcast_orbit_check_lanes(count, time_2, toe, toc, sqrt_a, eccentricity,
+        mean_anomaly, mean_motion_difference, inclination, inclination_rate, right_ascension,
+        right_ascension_rate, argument_of_perigee, cuc, cus, crc, crs, cic, cis, af0, af1, af2,
+        group_delay, codes);
+
+    for (int32_t lane = 0; lane < count; ++lane) {
+        status[lane] = (uint8_t)codes[lane];
+    }
+    if (failed == (flag_t)SINGLE_POINT_OK) {
+        broadcast_orbit_evaluate_lanes(count, time_2, toe, toc, sqrt_a, eccentricity, mean_anomaly,
+            mean_motion_difference, inclination, inclination_rate, right_ascension,
+            right_ascension_rate, argument_of_perigee, cuc, cus, crc, crs, cic, cis, af0, af1, af2,
+            group_delay, position, clock, velocity, clock_rate);
+    } else {
+        for (int32_t lane = 0; lane < count; ++lane) {
+            if (codes[lane] == (flag_t)SINGLE_POINT_OK) {
+                broadcast_orbit_evaluate_lanes(1, &time_2[lane], &toe[lane], &toc[lane],
+                    &sqrt_a[lane], &eccentricity[lane], &mean_anomaly[lane],
+                    &mean_motion_difference[lane], &inclination[lane], &inclination_rate[lane],
+                    &right_ascension[lane], &right_ascension_rate[lane], &argument_of_perigee[lane],
+                    &cuc[lane], &cus[lane], &crc[lane], &crs[lane], &cic[lane], &cis[lane],
+                    &af0[lane], &af1[lane], &af2[lane], &group_delay[lane], &position[lane],
+                    &clock[lane], &velocity[lane], &clock_rate[lane]);
+            }
+        }
+    }
+    return (failed == (flag_t)SINGLE_POINT_OK) ? SINGLE_POINT_OK : SINGLE_POINT_PARTIAL;
+}
+
+single_point_status_t single_point_broadcast_orbit_blocks(
+    int32_t epochs,
+    const single_point_real_t time_2[SINGLE_POINT_RESTRICT],
+    const single_point_real_t toe[SINGLE_POINT_RESTRICT],
+    const single_point_real_t toc[SINGLE_POINT_RESTRICT],
+    const single_point_real_t sqrt_a[SINGLE_POINT_RESTRICT],
+    const single_point_real_t eccentricity[SINGLE_POINT_RESTRICT],
+    const single_point_real_t mean_anomaly[SINGLE_POINT_RESTRICT],
+    const single_point_real_t mean_motion_difference[SINGLE_POINT_RESTRICT],
+    const single_point_real_t inclination[SINGLE_POINT_RESTRICT],
+    const single_point_real_t inclination_rate[SINGLE_POINT_RESTRICT],
+    const single_point_real_t right_ascension[SINGLE_POINT_RESTRICT],
+    const single_point_real_t right_ascension_rate[SINGLE_POINT_RESTRICT],
+    const single_point_real_t argument_of_perigee[SINGLE_POINT_RESTRICT],
+    const single_point_real_t cuc[SINGLE_POINT_RESTRICT],
+    const single_point_real_t cus[SINGLE_POINT_RESTRICT],
+    const single_point_real_t crc[SINGLE_POINT_RESTRICT],
+    const single_point_real_t crs[SINGLE_POINT_RESTRICT],
+    const single_point_real_t cic[SINGLE_POINT_RESTRICT],
+    const single_point_real_t cis[SINGLE_POINT_RESTRICT],
+    const single_point_real_t af0[SINGLE_POINT_RESTRICT],
+    const single_point_real_t af1[SINGLE_POINT_RESTRICT],
+    const single_point_real_t af2[SINGLE_POINT_RESTRICT],
+    const single_point_real_t group_delay[SINGLE_POINT_RESTRICT],
+    single_point_real_t position[SINGLE_POINT_RESTRICT],
+    single_point_real_t clock[SINGLE_POINT_RESTRICT],
+    single_point_real_t velocity[SINGLE_POINT_RESTRICT],
+    single_point_real_t clock_rate[SINGLE_POINT_RESTRICT],
+    uint8_t status[SINGLE_POINT_RESTRICT])
+{
+    single_point_status_t result = SINGLE_POINT_NULL;
+
+    if ((time_2 != NULL) && (toe != NULL) && (toc != NULL) && (sqrt_a != NULL) &&
+        (eccentricity != NULL) && (mean_anomaly != NULL) && (mean_motion_difference != NULL) &&
+        (inclination != NULL) && (inclination_rate != NULL) && (right_ascension != NULL) &&
+        (right_ascension_rate != NULL) && (argument_of_perigee != NULL) && (cuc != NULL) &&
+        (cus != NULL) && (crc != NULL) && (crs != NULL) && (cic != NULL) && (cis != NULL) &&
+        (af0 != NULL) && (af1 != NULL) && (af2 != NULL) && (group_delay != NULL) &&
+        (position != NULL) && (clock != NULL) && (velocity != NULL) && (clock_rate != NULL) &&
+        (status != NULL)) {
+        result = (epochs < 0) ? SINGLE_POINT_COUNT : SINGLE_POINT_OK;
+        for (ptrdiff_t first = 0; first < epochs; first += SINGLE_POINT_BROADCAST_ORBIT_LANES) {
+            const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < SINGLE_POINT_BROADCAST_ORBIT_LANES) ? (int32_t)rest :
+                SINGLE_POINT_BROADCAST_ORBIT_LANES;
+            const single_point_status_t outcome = broadcast_orbit_block(count, &time_2[first],
+                &toe[first], &toc[first], &sqrt_a[first], &eccentricity[first],
+                &mean_anomaly[first], &mean_motion_difference[first], &inclination[first],
+                &inclination_rate[first], &right_ascension[first], &right_ascension_rate[first],
+                &argument_of_perigee[first], &cuc[first], &cus[first], &crc[first], &crs[first],
+                &cic[first], &cis[first], &af0[first], &af1[first], &af2[first],
+                &group_delay[first], &position[3 * first], &clock[first], &velocity[3 * first],
+                &clock_rate[first], &status[first]);
+
+            result = (outcome == SINGLE_POINT_OK) ? result : outcome;
+        }
+    }
+    return result;
+}
+
+/** A block of epochs. */
+typedef struct {
+    single_point_real_t time_2[SINGLE_POINT_BROADCAST_ORBIT_LANES];
+    single_point_real_t toe[SINGLE_POINT_BROADCAST_ORBIT_LANES];
+    single_point_real_t toc[SINGLE_POINT_BROADCAST_ORBIT_LANES];
+    single_point_real_t sqrt_a[SINGLE_POINT_BROADCAST_ORBIT_LANES];
+    single_point_real_t eccentricity[SINGLE_POINT_BROADCAST_ORBIT_LANES];
+    single_point_real_t mean_anomaly[SINGLE_POINT_BROADCAST_ORBIT_LANES];
+    single_point_real_t mean_motion_difference[SINGLE_POINT_BROADCAST_ORBIT_LANES];
+    single_point_real_t inclination[SINGLE_POINT_BROADCAST_ORBIT_LANES];
+    single_point_real_t inclination_rate[SINGLE_POINT_BROADCAST_ORBIT_LANES];
+    single_point_real_t right_ascension[SINGLE_POINT_BROADCAST_ORBIT_LANES];
+    single_point_real_t right_ascension_rate[SINGLE_POINT_BROADCAST_ORBIT_LANES];
+    single_point_real_t argument_of_perigee[SINGLE_POINT_BROADCAST_ORBIT_LANES];
+    single_point_real_t cuc[SINGLE_POINT_BROADCAST_ORBIT_LANES];
+    single_point_real_t cus[SINGLE_POINT_BROADCAST_ORBIT_LANES];
+    single_point_real_t crc[SINGLE_POINT_BROADCAST_ORBIT_LANES];
+    single_point_real_t crs[SINGLE_POINT_BROADCAST_ORBIT_LANES];
+    single_point_real_t cic[SINGLE_POINT_BROADCAST_ORBIT_LANES];
+    single_point_real_t cis[SINGLE_POINT_BROADCAST_ORBIT_LANES];
+    single_point_real_t af0[SINGLE_POINT_BROADCAST_ORBIT_LANES];
+    single_point_real_t af1[SINGLE_POINT_BROADCAST_ORBIT_LANES];
+    single_point_real_t af2[SINGLE_POINT_BROADCAST_ORBIT_LANES];
+    single_point_real_t group_delay[SINGLE_POINT_BROADCAST_ORBIT_LANES];
+    single_point_real_t position[3 * SINGLE_POINT_BROADCAST_ORBIT_LANES];
+    single_point_real_t clock[SINGLE_POINT_BROADCAST_ORBIT_LANES];
+    single_point_real_t velocity[3 * SINGLE_POINT_BROADCAST_ORBIT_LANES];
+    single_point_real_t clock_rate[SINGLE_POINT_BROADCAST_ORBIT_LANES];
+} broadcast_orbit_block_t;
+
+/* Lay rows of epochs side by side. */
+static void broadcast_orbit_gather(
+    int32_t count,
+    const single_point_real_t time_2[SINGLE_POINT_RESTRICT],
+    ptrdiff_t time_2_step,
+    const single_point_real_t toe[SINGLE_POINT_RESTRICT],
+    ptrdiff_t toe_step,
+    const single_point_real_t toc[SINGLE_POINT_RESTRICT],
+    ptrdiff_t toc_step,
+    const single_point_real_t sqrt_a[SINGLE_POINT_RESTRICT],
+    ptrdiff_t sqrt_a_step,
+    const single_point_real_t eccentricity[SINGLE_POINT_RESTRICT],
+    ptrdiff_t eccentricity_step,
+    const single_point_real_t mean_anomaly[SINGLE_POINT_RESTRICT],
+    ptrdiff_t mean_anomaly_step,
+    const single_point_real_t mean_motion_difference[SINGLE_POINT_RESTRICT],
+    ptrdiff_t mean_motion_difference_step,
+    const single_point_real_t inclination[SINGLE_POINT_RESTRICT],
+    ptrdiff_t inclination_step,
+    const single_point_real_t inclination_rate[SINGLE_POINT_RESTRICT],
+    ptrdiff_t inclination_rate_step,
+    const single_point_real_t right_ascension[SINGLE_POINT_RESTRICT],
+    ptrdiff_t right_ascension_step,
+    const single_point_real_t right_ascension_rate[SINGLE_POINT_RESTRICT],
+    ptrdiff_t right_ascension_rate_step,
+    const single_point_real_t argument_of_perigee[SINGLE_POINT_RESTRICT],
+    ptrdiff_t argument_of_perigee_step,
+    const single_point_real_t cuc[SINGLE_POINT_RESTRICT],
+    ptrdiff_t cuc_step,
+    const single_point_real_t cus[SINGLE_POINT_RESTRICT],
+    ptrdiff_t cus_step,
+    const single_point_real_t crc[SINGLE_POINT_RESTRICT],
+    ptrdiff_t crc_step,
+    const single_point_real_t crs[SINGLE_POINT_RESTRICT],
+    ptrdiff_t crs_step,
+    const single_point_real_t cic[SINGLE_POINT_RESTRICT],
+    ptrdiff_t cic_step,
+    const single_point_real_t cis[SINGLE_POINT_RESTRICT],
+    ptrdiff_t cis_step,
+    const single_point_real_t af0[SINGLE_POINT_RESTRICT],
+    ptrdiff_t af0_step,
+    const single_point_real_t af1[SINGLE_POINT_RESTRICT],
+    ptrdiff_t af1_step,
+    const single_point_real_t af2[SINGLE_POINT_RESTRICT],
+    ptrdiff_t af2_step,
+    const single_point_real_t group_delay[SINGLE_POINT_RESTRICT],
+    ptrdiff_t group_delay_step,
+    broadcast_orbit_block_t *SINGLE_POINT_RESTRICT block)
+{
+    rows_to_lanes(count, time_2, time_2_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->time_2);
+    rows_to_lanes(count, toe, toe_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->toe);
+    rows_to_lanes(count, toc, toc_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->toc);
+    rows_to_lanes(count, sqrt_a, sqrt_a_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->sqrt_a);
+    rows_to_lanes(count, eccentricity, eccentricity_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES,
+        block->eccentricity);
+    rows_to_lanes(count, mean_anomaly, mean_anomaly_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES,
+        block->mean_anomaly);
+    rows_to_lanes(count, mean_motion_difference, mean_motion_difference_step, 1,
+        SINGLE_POINT_BROADCAST_ORBIT_LANES, block->mean_motion_difference);
+    rows_to_lanes(count, inclination, inclination_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES,
+        block->inclination);
+    rows_to_lanes(count, inclination_rate, inclination_rate_step, 1,
+        SINGLE_POINT_BROADCAST_ORBIT_LANES, block->inclination_rate);
+    rows_to_lanes(count, right_ascension, right_ascension_step, 1,
+        SINGLE_POINT_BROADCAST_ORBIT_LANES, block->right_ascension);
+    rows_to_lanes(count, right_ascension_rate, right_ascension_rate_step, 1,
+        SINGLE_POINT_BROADCAST_ORBIT_LANES, block->right_ascension_rate);
+    rows_to_lanes(count, argument_of_perigee, argument_of_perigee_step, 1,
+        SINGLE_POINT_BROADCAST_ORBIT_LANES, block->argument_of_perigee);
+    rows_to_lanes(count, cuc, cuc_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->cuc);
+    rows_to_lanes(count, cus, cus_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->cus);
+    rows_to_lanes(count, crc, crc_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->crc);
+    rows_to_lanes(count, crs, crs_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->crs);
+    rows_to_lanes(count, cic, cic_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->cic);
+    rows_to_lanes(count, cis, cis_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->cis);
+    rows_to_lanes(count, af0, af0_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->af0);
+    rows_to_lanes(count, af1, af1_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->af1);
+    rows_to_lanes(count, af2, af2_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->af2);
+    rows_to_lanes(count, group_delay, group_delay_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES,
+        block->group_delay);
 }
 
 single_point_status_t single_point_broadcast_orbit_batch(
@@ -277,47 +534,46 @@ single_point_status_t single_point_broadcast_orbit_batch(
         (position != NULL) && (clock != NULL) && (velocity != NULL) && (clock_rate != NULL) &&
         (status != NULL)) {
         broadcast_orbit_block_t block;
-        int32_t count;
 
         result = (epochs < 0) ? SINGLE_POINT_COUNT : SINGLE_POINT_OK;
-        for (ptrdiff_t first = 0; first < epochs; first += count) {
+        for (ptrdiff_t first = 0; first < epochs; first += SINGLE_POINT_BROADCAST_ORBIT_LANES) {
             const ptrdiff_t rest = epochs - first;
-
-            count = (rest < SINGLE_POINT_BROADCAST_ORBIT_LANES) ? (int32_t)rest :
+            const int32_t count = (rest < SINGLE_POINT_BROADCAST_ORBIT_LANES) ? (int32_t)rest :
                 SINGLE_POINT_BROADCAST_ORBIT_LANES;
-                broadcast_orbit_lanes(count, &time_2[first * time_2_step], time_2_step,
-                    &toe[first * toe_step], toe_step, &toc[first * toc_step], toc_step,
-                    &sqrt_a[first * sqrt_a_step], sqrt_a_step,
-                    &eccentricity[first * eccentricity_step], eccentricity_step,
-                    &mean_anomaly[first * mean_anomaly_step], mean_anomaly_step,
-                    &mean_motion_difference[first * mean_motion_difference_step],
-                    mean_motion_difference_step, &inclination[first * inclination_step],
-                    inclination_step, &inclination_rate[first * inclination_rate_step],
-                    inclination_rate_step, &right_ascension[first * right_ascension_step],
-                    right_ascension_step, &right_ascension_rate[first * right_ascension_rate_step],
-                    right_ascension_rate_step,
-                    &argument_of_perigee[first * argument_of_perigee_step],
-                    argument_of_perigee_step, &cuc[first * cuc_step], cuc_step,
-                    &cus[first * cus_step], cus_step, &crc[first * crc_step], crc_step,
-                    &crs[first * crs_step], crs_step, &cic[first * cic_step], cic_step,
-                    &cis[first * cis_step], cis_step, &af0[first * af0_step], af0_step,
-                    &af1[first * af1_step], af1_step, &af2[first * af2_step], af2_step,
-                    &group_delay[first * group_delay_step], group_delay_step, &block);
-            for (int32_t lane = 0; lane < count; ++lane) {
-                const ptrdiff_t epoch = first + lane;
 
-                status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)SINGLE_POINT_OK) {
-                    broadcast_orbit_fill_position(&block.position[lane],
-                        SINGLE_POINT_BROADCAST_ORBIT_LANES, &position[3 * epoch]);
-                    broadcast_orbit_fill_clock(&block.clock[lane], &clock[epoch]);
-                    broadcast_orbit_fill_velocity(&block.velocity[lane],
-                        SINGLE_POINT_BROADCAST_ORBIT_LANES, &velocity[3 * epoch]);
-                    broadcast_orbit_fill_clock_rate(&block.clock_rate[lane], &clock_rate[epoch]);
-                } else {
-                    result = SINGLE_POINT_PARTIAL;
-                }
-            }
+            broadcast_orbit_gather(count, &time_2[first * time_2_step], time_2_step,
+                &toe[first * toe_step], toe_step, &toc[first * toc_step], toc_step,
+                &sqrt_a[first * sqrt_a_step], sqrt_a_step, &eccentricity[first * eccentricity_step],
+                eccentricity_step, &mean_anomaly[first * mean_anomaly_step], mean_anomaly_step,
+                &mean_motion_difference[first * mean_motion_difference_step],
+                mean_motion_difference_step, &inclination[first * inclination_step],
+                inclination_step, &inclination_rate[first * inclination_rate_step],
+                inclination_rate_step, &right_ascension[first * right_ascension_step],
+                right_ascension_step, &right_ascension_rate[first * right_ascension_rate_step],
+                right_ascension_rate_step, &argument_of_perigee[first * argument_of_perigee_step],
+                argument_of_perigee_step, &cuc[first * cuc_step], cuc_step, &cus[first * cus_step],
+                cus_step, &crc[first * crc_step], crc_step, &crs[first * crs_step], crs_step,
+                &cic[first * cic_step], cic_step, &cis[first * cis_step], cis_step,
+                &af0[first * af0_step], af0_step, &af1[first * af1_step], af1_step,
+                &af2[first * af2_step], af2_step, &group_delay[first * group_delay_step],
+                group_delay_step, &block);
+            const single_point_status_t outcome = broadcast_orbit_block(count, block.time_2,
+                block.toe, block.toc, block.sqrt_a, block.eccentricity, block.mean_anomaly,
+                block.mean_motion_difference, block.inclination, block.inclination_rate,
+                block.right_ascension, block.right_ascension_rate, block.argument_of_perigee,
+                block.cuc, block.cus, block.crc, block.crs, block.cic, block.cis, block.af0,
+                block.af1, block.af2, block.group_delay, block.position, block.clock,
+                block.velocity, block.clock_rate, &status[first]);
+
+            result = (outcome == SINGLE_POINT_OK) ? result : outcome;
+            lanes_to_rows(count, &status[first], block.position, 3,
+                SINGLE_POINT_BROADCAST_ORBIT_LANES, &position[3 * first]);
+            lanes_to_rows(count, &status[first], block.clock, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES,
+                &clock[first]);
+            lanes_to_rows(count, &status[first], block.velocity, 3,
+                SINGLE_POINT_BROADCAST_ORBIT_LANES, &velocity[3 * first]);
+            lanes_to_rows(count, &status[first], block.clock_rate, 1,
+                SINGLE_POINT_BROADCAST_ORBIT_LANES, &clock_rate[first]);
         }
     }
     return result;

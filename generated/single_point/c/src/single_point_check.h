@@ -120,4 +120,86 @@ SINGLE_POINT_INLINE flag_t take_centred(
     return is_equal(taken, value) ? (flag_t)0U : (flag_t)1U;
 }
 
+/* Lay rows of epochs side by side: element k of epoch lane at [k * lanes + lane]. Two by two, so
+   that pairs move in vector registers. */
+SINGLE_POINT_INLINE void rows_to_lanes(
+    int32_t count,
+    const single_point_real_t rows[],
+    ptrdiff_t step,
+    int32_t size,
+    int32_t lanes,
+    single_point_real_t blocked[])
+{
+    for (int32_t lane = 0; lane < (count - 1); lane += 2) {
+        const single_point_real_t *const row = &rows[lane * step];
+        const single_point_real_t *const next = &row[step];
+        single_point_real_t *const column = &blocked[lane];
+
+        for (int32_t k = 0; k < (size - 1); k += 2) {
+            const single_point_real_t row_0 = row[k];
+            const single_point_real_t row_1 = row[k + 1];
+            const single_point_real_t next_0 = next[k];
+            const single_point_real_t next_1 = next[k + 1];
+
+            column[k * lanes] = row_0;
+            column[(k * lanes) + 1] = next_0;
+            column[(k + 1) * lanes] = row_1;
+            column[((k + 1) * lanes) + 1] = next_1;
+        }
+        if ((size % 2) != 0) {
+            column[(size - 1) * lanes] = row[size - 1];
+            column[((size - 1) * lanes) + 1] = next[size - 1];
+        }
+    }
+    if ((count % 2) != 0) {
+        for (int32_t k = 0; k < size; ++k) {
+            blocked[(k * lanes) + count - 1] = rows[((count - 1) * step) + k];
+        }
+    }
+}
+
+/* Store epochs that lie side by side as rows, those that passed; two by two, as above. */
+SINGLE_POINT_INLINE void lanes_to_rows(
+    int32_t count,
+    const uint8_t status[],
+    const single_point_real_t blocked[],
+    int32_t size,
+    int32_t lanes,
+    single_point_real_t rows[])
+{
+    int32_t lane = 0;
+
+    while (lane < count) {
+        const single_point_real_t *const column = &blocked[lane];
+        single_point_real_t *const row = &rows[lane * size];
+        single_point_real_t *const next = &row[size];
+
+        if ((lane < (count - 1)) && ((status[lane] | status[lane + 1]) == (int)SINGLE_POINT_OK)) {
+            for (int32_t k = 0; k < (size - 1); k += 2) {
+                const single_point_real_t row_0 = column[k * lanes];
+                const single_point_real_t next_0 = column[(k * lanes) + 1];
+                const single_point_real_t row_1 = column[(k + 1) * lanes];
+                const single_point_real_t next_1 = column[((k + 1) * lanes) + 1];
+
+                row[k] = row_0;
+                row[k + 1] = row_1;
+                next[k] = next_0;
+                next[k + 1] = next_1;
+            }
+            if ((size % 2) != 0) {
+                row[size - 1] = column[(size - 1) * lanes];
+                next[size - 1] = column[((size - 1) * lanes) + 1];
+            }
+            lane += 2;
+        } else {
+            if (status[lane] == (uint8_t)SINGLE_POINT_OK) {
+                for (int32_t k = 0; k < size; ++k) {
+                    row[k] = column[k * lanes];
+                }
+            }
+            lane += 1;
+        }
+    }
+}
+
 #endif /* SINGLE_POINT_CHECK_H */

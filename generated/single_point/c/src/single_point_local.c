@@ -9,15 +9,6 @@
 
 #include "single_point_local_kernel.h"
 
-/* Epochs a batch evaluates side by side. */
-#define SINGLE_POINT_LOCAL_LANES 64
-
-/** Non-zeros of a block of epochs, each stored contiguously across the epochs. */
-typedef struct {
-    single_point_real_t value[4 * SINGLE_POINT_LOCAL_LANES];
-    flag_t status[SINGLE_POINT_LOCAL_LANES];
-} local_block_t;
-
 /* Store the non-zeros of value, a stride apart. */
 SINGLE_POINT_INLINE void local_put_value(
     const local_output_t *out,
@@ -53,7 +44,7 @@ single_point_status_t single_point_local(
         local_input_t in;
         local_output_t out;
 
-        status = (single_point_status_t)local_load(x, y, &in);
+        status = (single_point_status_t)local_load(x, y, 1, &in);
         if (status == SINGLE_POINT_OK) {
             status = (single_point_status_t)local_kernel(&in, &out);
         }
@@ -64,23 +55,114 @@ single_point_status_t single_point_local(
     return status;
 }
 
-/* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static SINGLE_POINT_WIDE void local_lanes(
+/* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
+static SINGLE_POINT_WIDE flag_t local_check_lanes(
     int32_t count,
-    const single_point_real_t x[SINGLE_POINT_RESTRICT], ptrdiff_t x_step,
-    const single_point_real_t y[SINGLE_POINT_RESTRICT], ptrdiff_t y_step,
-    local_block_t *SINGLE_POINT_RESTRICT block)
+    const single_point_real_t x[SINGLE_POINT_RESTRICT],
+    const single_point_real_t y[SINGLE_POINT_RESTRICT],
+    flag_t codes[SINGLE_POINT_RESTRICT SINGLE_POINT_LOCAL_LANES])
+{
+    flag_t failed = 0U;
+
+    SINGLE_POINT_IVDEP
+    for (int32_t lane = 0; lane < count; ++lane) {
+        local_input_t in;
+        local_output_t out;
+        const flag_t loaded = local_load(&x[lane], &y[lane], SINGLE_POINT_LOCAL_LANES, &in);
+        const flag_t evaluated = local_kernel(&in, &out);
+
+        codes[lane] = first_failure(loaded, evaluated);
+        failed |= codes[lane];
+    }
+    return failed;
+}
+
+/* Evaluate epochs side by side that have passed their checks. */
+static SINGLE_POINT_WIDE void local_evaluate_lanes(
+    int32_t count,
+    const single_point_real_t x[SINGLE_POINT_RESTRICT],
+    const single_point_real_t y[SINGLE_POINT_RESTRICT],
+    single_point_real_t value[SINGLE_POINT_RESTRICT])
 {
     SINGLE_POINT_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         local_input_t in;
         local_output_t out;
-        const flag_t loaded = local_load(&x[lane * x_step], &y[lane * y_step], &in);
-        const flag_t evaluated = local_kernel(&in, &out);
 
-        block->status[lane] = first_failure(loaded, evaluated);
-        local_put_value(&out, SINGLE_POINT_LOCAL_LANES, &block->value[lane]);
+        local_copy(&x[lane], &y[lane], SINGLE_POINT_LOCAL_LANES, &in);
+        (void)local_kernel(&in, &out);
+        local_put_value(&out, SINGLE_POINT_LOCAL_LANES, &value[lane]);
     }
+}
+
+/* One block: outputs of lanes that fail stay as they are. */
+static single_point_status_t local_block(
+    int32_t count,
+    const single_point_real_t x[SINGLE_POINT_RESTRICT],
+    const single_point_real_t y[SINGLE_POINT_RESTRICT],
+    single_point_real_t value[SINGLE_POINT_RESTRICT],
+    uint8_t status[SINGLE_POINT_RESTRICT])
+{
+    flag_t codes[SINGLE_POINT_LOCAL_LANES];
+    const flag_t failed = local_check_lanes(count, x, y, codes);
+
+    for (int32_t lane = 0; lane < count; ++lane) {
+        status[lane] = (uint8_t)codes[lane];
+    }
+    if (failed == (flag_t)SINGLE_POINT_OK) {
+        local_evaluate_lanes(count, x, y, value);
+    } else {
+        for (int32_t lane = 0; lane < count; ++lane) {
+            if (codes[lane] == (flag_t)SINGLE_POINT_OK) {
+                local_evaluate_lanes(1, &x[lane], &y[lane], &value[lane]);
+            }
+        }
+    }
+    return (failed == (flag_t)SINGLE_POINT_OK) ? SINGLE_POINT_OK : SINGLE_POINT_PARTIAL;
+}
+
+single_point_status_t single_point_local_blocks(
+    int32_t epochs,
+    const single_point_real_t x[SINGLE_POINT_RESTRICT],
+    const single_point_real_t y[SINGLE_POINT_RESTRICT],
+    single_point_real_t value[SINGLE_POINT_RESTRICT],
+    uint8_t status[SINGLE_POINT_RESTRICT])
+{
+    single_point_status_t result = SINGLE_POINT_NULL;
+
+    if ((x != NULL) && (y != NULL) && (value != NULL) && (status != NULL)) {
+        result = (epochs < 0) ? SINGLE_POINT_COUNT : SINGLE_POINT_OK;
+        for (ptrdiff_t first = 0; first < epochs; first += SINGLE_POINT_LOCAL_LANES) {
+            const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < SINGLE_POINT_LOCAL_LANES) ? (int32_t)rest :
+                SINGLE_POINT_LOCAL_LANES;
+            const single_point_status_t outcome =
+                local_block(count, &x[4 * first], &y[4 * first], &value[4 * first], &status[first]);
+
+            result = (outcome == SINGLE_POINT_OK) ? result : outcome;
+        }
+    }
+    return result;
+}
+
+/** A block of epochs. */
+typedef struct {
+    single_point_real_t x[4 * SINGLE_POINT_LOCAL_LANES];
+    single_point_real_t y[4 * SINGLE_POINT_LOCAL_LANES];
+    single_point_real_t value[4 * SINGLE_POINT_LOCAL_LANES];
+} local_block_t;
+
+/* Lay rows of epochs side by side. */
+static void local_gather(
+    int32_t count,
+    const single_point_real_t x[SINGLE_POINT_RESTRICT],
+    ptrdiff_t x_step,
+    const single_point_real_t y[SINGLE_POINT_RESTRICT],
+    ptrdiff_t y_step,
+    local_block_t *SINGLE_POINT_RESTRICT block)
+{
+    rows_to_lanes(count, x, x_step, 4, SINGLE_POINT_LOCAL_LANES, block->x);
+    rows_to_lanes(count, y, y_step, 4, SINGLE_POINT_LOCAL_LANES, block->y);
 }
 
 single_point_status_t single_point_local_batch(
@@ -96,25 +178,20 @@ single_point_status_t single_point_local_batch(
 
     if ((x != NULL) && (y != NULL) && (value != NULL) && (status != NULL)) {
         local_block_t block;
-        int32_t count;
 
         result = (epochs < 0) ? SINGLE_POINT_COUNT : SINGLE_POINT_OK;
-        for (ptrdiff_t first = 0; first < epochs; first += count) {
+        for (ptrdiff_t first = 0; first < epochs; first += SINGLE_POINT_LOCAL_LANES) {
             const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < SINGLE_POINT_LOCAL_LANES) ? (int32_t)rest :
+                SINGLE_POINT_LOCAL_LANES;
 
-            count = (rest < SINGLE_POINT_LOCAL_LANES) ? (int32_t)rest : SINGLE_POINT_LOCAL_LANES;
-                local_lanes(count, &x[first * x_step], x_step, &y[first * y_step], y_step, &block);
-            for (int32_t lane = 0; lane < count; ++lane) {
-                const ptrdiff_t epoch = first + lane;
+            local_gather(count, &x[first * x_step], x_step, &y[first * y_step], y_step, &block);
+            const single_point_status_t outcome =
+                local_block(count, block.x, block.y, block.value, &status[first]);
 
-                status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)SINGLE_POINT_OK) {
-                    local_fill_value(&block.value[lane], SINGLE_POINT_LOCAL_LANES,
-                        &value[4 * epoch]);
-                } else {
-                    result = SINGLE_POINT_PARTIAL;
-                }
-            }
+            result = (outcome == SINGLE_POINT_OK) ? result : outcome;
+            lanes_to_rows(count, &status[first], block.value, 4, SINGLE_POINT_LOCAL_LANES,
+                &value[4 * first]);
         }
     }
     return result;

@@ -375,6 +375,7 @@ single_point_status_t single_point_pseudorange_jacobian(
 
 /* Non-zeros straight into the caller's columns, neighbouring items in one vector register. */
 SINGLE_POINT_INLINE void pseudorange_columns(
+    int32_t stride,
     const pseudorange_input_t *SINGLE_POINT_RESTRICT in,
     int32_t count,
     const single_point_real_t satellite_position[SINGLE_POINT_RESTRICT],
@@ -395,8 +396,46 @@ SINGLE_POINT_INLINE void pseudorange_columns(
 
         codes[i] = first_failure(loaded, evaluated);
         pseudorange_fill_value(out.value, &value[i]);
-        pseudorange_put_jacobian(&out, SINGLE_POINT_PSEUDORANGE_MAX_ITEMS, &jacobian_nz[i]);
+        pseudorange_put_jacobian(&out, stride, &jacobian_nz[i]);
     }
+}
+
+/* The same with all that comes before and after; columns are a stride apart. */
+SINGLE_POINT_INLINE single_point_status_t pseudorange_sparse(
+    int32_t stride,
+    const single_point_real_t x[SINGLE_POINT_RESTRICT SINGLE_POINT_STATE_SIZE],
+    int32_t n,
+    const single_point_real_t satellite_position[SINGLE_POINT_RESTRICT
+        SINGLE_POINT_PSEUDORANGE_MAX_ITEMS * 3],
+    const single_point_real_t satellite_clock[SINGLE_POINT_RESTRICT
+        SINGLE_POINT_PSEUDORANGE_MAX_ITEMS],
+    const single_point_real_t troposphere[SINGLE_POINT_RESTRICT
+        SINGLE_POINT_PSEUDORANGE_MAX_ITEMS],
+    const single_point_real_t ionosphere[SINGLE_POINT_RESTRICT SINGLE_POINT_PSEUDORANGE_MAX_ITEMS],
+    single_point_real_t value[SINGLE_POINT_RESTRICT SINGLE_POINT_PSEUDORANGE_MAX_ITEMS],
+    single_point_real_t jacobian_nz[SINGLE_POINT_RESTRICT 4 * SINGLE_POINT_PSEUDORANGE_MAX_ITEMS],
+    uint8_t item_status[SINGLE_POINT_RESTRICT SINGLE_POINT_PSEUDORANGE_MAX_ITEMS])
+{
+    pseudorange_input_t in;
+    single_point_status_t status = (single_point_status_t)pseudorange_load(x, &in);
+
+    if (status == SINGLE_POINT_OK) {
+        status = (single_point_status_t)pseudorange_shared();
+        if (status == SINGLE_POINT_OK) {
+            status = pseudorange_check_items(&in, n, satellite_position, satellite_clock,
+                troposphere, ionosphere, item_status);
+        }
+        if (status == SINGLE_POINT_OK) {
+            flag_t codes[SINGLE_POINT_PSEUDORANGE_MAX_ITEMS];
+
+            pseudorange_columns(stride, &in, n, satellite_position, satellite_clock, troposphere,
+                ionosphere, value, jacobian_nz, codes);
+            for (int32_t i = 0; i < n; ++i) {
+                item_status[i] = (uint8_t)codes[i];
+            }
+        }
+    }
+    return status;
 }
 
 SINGLE_POINT_WIDE single_point_status_t single_point_pseudorange_nz(
@@ -420,25 +459,9 @@ SINGLE_POINT_WIDE single_point_status_t single_point_pseudorange_nz(
         (item_status != NULL)) {
         status = SINGLE_POINT_COUNT;
         if ((n >= 0) && (n <= SINGLE_POINT_PSEUDORANGE_MAX_ITEMS)) {
-            pseudorange_input_t in;
-
-            status = (single_point_status_t)pseudorange_load(x, &in);
-            if (status == SINGLE_POINT_OK) {
-                status = (single_point_status_t)pseudorange_shared();
-                if (status == SINGLE_POINT_OK) {
-                    status = pseudorange_check_items(&in, n, satellite_position, satellite_clock,
-                        troposphere, ionosphere, item_status);
-                }
-                if (status == SINGLE_POINT_OK) {
-                    flag_t codes[SINGLE_POINT_PSEUDORANGE_MAX_ITEMS];
-
-                    pseudorange_columns(&in, n, satellite_position, satellite_clock, troposphere,
-                        ionosphere, value, jacobian_nz, codes);
-                    for (int32_t i = 0; i < n; ++i) {
-                        item_status[i] = (uint8_t)codes[i];
-                    }
-                }
-            }
+            status = pseudorange_sparse(SINGLE_POINT_PSEUDORANGE_MAX_ITEMS, x, n,
+                satellite_position, satellite_clock, troposphere, ionosphere, value, jacobian_nz,
+                item_status);
         }
     }
     return status;
@@ -476,6 +499,49 @@ single_point_status_t single_point_pseudorange_batch(
                     &satellite_clock[epoch * satellite_clock_step],
                     &troposphere[epoch * troposphere_step], &ionosphere[epoch * ionosphere_step],
                     &value[epoch * n], &jacobian[(4 * epoch) * n], &item_status[epoch * n]);
+
+                status[epoch] = (uint8_t)outcome;
+                if (outcome != SINGLE_POINT_OK) {
+                    result = SINGLE_POINT_PARTIAL;
+                }
+            }
+        }
+    }
+    return result;
+}
+
+SINGLE_POINT_WIDE single_point_status_t single_point_pseudorange_batch_nz(
+    int32_t epochs,
+    const single_point_real_t x[SINGLE_POINT_RESTRICT],
+    int32_t x_step,
+    int32_t n,
+    const single_point_real_t satellite_position[SINGLE_POINT_RESTRICT],
+    int32_t satellite_position_step,
+    const single_point_real_t satellite_clock[SINGLE_POINT_RESTRICT],
+    int32_t satellite_clock_step,
+    const single_point_real_t troposphere[SINGLE_POINT_RESTRICT],
+    int32_t troposphere_step,
+    const single_point_real_t ionosphere[SINGLE_POINT_RESTRICT],
+    int32_t ionosphere_step,
+    single_point_real_t value[SINGLE_POINT_RESTRICT],
+    single_point_real_t jacobian_nz[SINGLE_POINT_RESTRICT],
+    uint8_t status[SINGLE_POINT_RESTRICT],
+    uint8_t item_status[SINGLE_POINT_RESTRICT])
+{
+    single_point_status_t result = SINGLE_POINT_NULL;
+
+    if ((x != NULL) && (satellite_position != NULL) && (satellite_clock != NULL) &&
+        (troposphere != NULL) && (ionosphere != NULL) && (value != NULL) && (jacobian_nz != NULL) &&
+        (status != NULL) && (item_status != NULL)) {
+        result = SINGLE_POINT_COUNT;
+        if ((epochs >= 0) && (n >= 0) && (n <= SINGLE_POINT_PSEUDORANGE_MAX_ITEMS)) {
+            result = SINGLE_POINT_OK;
+            for (ptrdiff_t epoch = 0; epoch < epochs; ++epoch) {
+                const single_point_status_t outcome = pseudorange_sparse(n, &x[epoch * x_step], n,
+                    &satellite_position[epoch * satellite_position_step],
+                    &satellite_clock[epoch * satellite_clock_step],
+                    &troposphere[epoch * troposphere_step], &ionosphere[epoch * ionosphere_step],
+                    &value[epoch * n], &jacobian_nz[(4 * epoch) * n], &item_status[epoch * n]);
 
                 status[epoch] = (uint8_t)outcome;
                 if (outcome != SINGLE_POINT_OK) {

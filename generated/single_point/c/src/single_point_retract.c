@@ -9,15 +9,6 @@
 
 #include "single_point_retract_kernel.h"
 
-/* Epochs a batch evaluates side by side. */
-#define SINGLE_POINT_RETRACT_LANES 64
-
-/** Non-zeros of a block of epochs, each stored contiguously across the epochs. */
-typedef struct {
-    single_point_real_t value[4 * SINGLE_POINT_RETRACT_LANES];
-    flag_t status[SINGLE_POINT_RETRACT_LANES];
-} retract_block_t;
-
 /* Store the non-zeros of value, a stride apart. */
 SINGLE_POINT_INLINE void retract_put_value(
     const retract_output_t *out,
@@ -53,7 +44,7 @@ single_point_status_t single_point_retract(
         retract_input_t in;
         retract_output_t out;
 
-        status = (single_point_status_t)retract_load(x, d, &in);
+        status = (single_point_status_t)retract_load(x, d, 1, &in);
         if (status == SINGLE_POINT_OK) {
             status = (single_point_status_t)retract_kernel(&in, &out);
         }
@@ -64,23 +55,114 @@ single_point_status_t single_point_retract(
     return status;
 }
 
-/* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static SINGLE_POINT_WIDE void retract_lanes(
+/* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
+static SINGLE_POINT_WIDE flag_t retract_check_lanes(
     int32_t count,
-    const single_point_real_t x[SINGLE_POINT_RESTRICT], ptrdiff_t x_step,
-    const single_point_real_t d[SINGLE_POINT_RESTRICT], ptrdiff_t d_step,
-    retract_block_t *SINGLE_POINT_RESTRICT block)
+    const single_point_real_t x[SINGLE_POINT_RESTRICT],
+    const single_point_real_t d[SINGLE_POINT_RESTRICT],
+    flag_t codes[SINGLE_POINT_RESTRICT SINGLE_POINT_RETRACT_LANES])
+{
+    flag_t failed = 0U;
+
+    SINGLE_POINT_IVDEP
+    for (int32_t lane = 0; lane < count; ++lane) {
+        retract_input_t in;
+        retract_output_t out;
+        const flag_t loaded = retract_load(&x[lane], &d[lane], SINGLE_POINT_RETRACT_LANES, &in);
+        const flag_t evaluated = retract_kernel(&in, &out);
+
+        codes[lane] = first_failure(loaded, evaluated);
+        failed |= codes[lane];
+    }
+    return failed;
+}
+
+/* Evaluate epochs side by side that have passed their checks. */
+static SINGLE_POINT_WIDE void retract_evaluate_lanes(
+    int32_t count,
+    const single_point_real_t x[SINGLE_POINT_RESTRICT],
+    const single_point_real_t d[SINGLE_POINT_RESTRICT],
+    single_point_real_t value[SINGLE_POINT_RESTRICT])
 {
     SINGLE_POINT_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         retract_input_t in;
         retract_output_t out;
-        const flag_t loaded = retract_load(&x[lane * x_step], &d[lane * d_step], &in);
-        const flag_t evaluated = retract_kernel(&in, &out);
 
-        block->status[lane] = first_failure(loaded, evaluated);
-        retract_put_value(&out, SINGLE_POINT_RETRACT_LANES, &block->value[lane]);
+        retract_copy(&x[lane], &d[lane], SINGLE_POINT_RETRACT_LANES, &in);
+        (void)retract_kernel(&in, &out);
+        retract_put_value(&out, SINGLE_POINT_RETRACT_LANES, &value[lane]);
     }
+}
+
+/* One block: outputs of lanes that fail stay as they are. */
+static single_point_status_t retract_block(
+    int32_t count,
+    const single_point_real_t x[SINGLE_POINT_RESTRICT],
+    const single_point_real_t d[SINGLE_POINT_RESTRICT],
+    single_point_real_t value[SINGLE_POINT_RESTRICT],
+    uint8_t status[SINGLE_POINT_RESTRICT])
+{
+    flag_t codes[SINGLE_POINT_RETRACT_LANES];
+    const flag_t failed = retract_check_lanes(count, x, d, codes);
+
+    for (int32_t lane = 0; lane < count; ++lane) {
+        status[lane] = (uint8_t)codes[lane];
+    }
+    if (failed == (flag_t)SINGLE_POINT_OK) {
+        retract_evaluate_lanes(count, x, d, value);
+    } else {
+        for (int32_t lane = 0; lane < count; ++lane) {
+            if (codes[lane] == (flag_t)SINGLE_POINT_OK) {
+                retract_evaluate_lanes(1, &x[lane], &d[lane], &value[lane]);
+            }
+        }
+    }
+    return (failed == (flag_t)SINGLE_POINT_OK) ? SINGLE_POINT_OK : SINGLE_POINT_PARTIAL;
+}
+
+single_point_status_t single_point_retract_blocks(
+    int32_t epochs,
+    const single_point_real_t x[SINGLE_POINT_RESTRICT],
+    const single_point_real_t d[SINGLE_POINT_RESTRICT],
+    single_point_real_t value[SINGLE_POINT_RESTRICT],
+    uint8_t status[SINGLE_POINT_RESTRICT])
+{
+    single_point_status_t result = SINGLE_POINT_NULL;
+
+    if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
+        result = (epochs < 0) ? SINGLE_POINT_COUNT : SINGLE_POINT_OK;
+        for (ptrdiff_t first = 0; first < epochs; first += SINGLE_POINT_RETRACT_LANES) {
+            const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < SINGLE_POINT_RETRACT_LANES) ? (int32_t)rest :
+                SINGLE_POINT_RETRACT_LANES;
+            const single_point_status_t outcome = retract_block(count, &x[4 * first], &d[4 * first],
+                &value[4 * first], &status[first]);
+
+            result = (outcome == SINGLE_POINT_OK) ? result : outcome;
+        }
+    }
+    return result;
+}
+
+/** A block of epochs. */
+typedef struct {
+    single_point_real_t x[4 * SINGLE_POINT_RETRACT_LANES];
+    single_point_real_t d[4 * SINGLE_POINT_RETRACT_LANES];
+    single_point_real_t value[4 * SINGLE_POINT_RETRACT_LANES];
+} retract_block_t;
+
+/* Lay rows of epochs side by side. */
+static void retract_gather(
+    int32_t count,
+    const single_point_real_t x[SINGLE_POINT_RESTRICT],
+    ptrdiff_t x_step,
+    const single_point_real_t d[SINGLE_POINT_RESTRICT],
+    ptrdiff_t d_step,
+    retract_block_t *SINGLE_POINT_RESTRICT block)
+{
+    rows_to_lanes(count, x, x_step, 4, SINGLE_POINT_RETRACT_LANES, block->x);
+    rows_to_lanes(count, d, d_step, 4, SINGLE_POINT_RETRACT_LANES, block->d);
 }
 
 single_point_status_t single_point_retract_batch(
@@ -96,27 +178,20 @@ single_point_status_t single_point_retract_batch(
 
     if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
         retract_block_t block;
-        int32_t count;
 
         result = (epochs < 0) ? SINGLE_POINT_COUNT : SINGLE_POINT_OK;
-        for (ptrdiff_t first = 0; first < epochs; first += count) {
+        for (ptrdiff_t first = 0; first < epochs; first += SINGLE_POINT_RETRACT_LANES) {
             const ptrdiff_t rest = epochs - first;
-
-            count = (rest < SINGLE_POINT_RETRACT_LANES) ? (int32_t)rest :
+            const int32_t count = (rest < SINGLE_POINT_RETRACT_LANES) ? (int32_t)rest :
                 SINGLE_POINT_RETRACT_LANES;
-                retract_lanes(count, &x[first * x_step], x_step, &d[first * d_step], d_step,
-                    &block);
-            for (int32_t lane = 0; lane < count; ++lane) {
-                const ptrdiff_t epoch = first + lane;
 
-                status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)SINGLE_POINT_OK) {
-                    retract_fill_value(&block.value[lane], SINGLE_POINT_RETRACT_LANES,
-                        &value[4 * epoch]);
-                } else {
-                    result = SINGLE_POINT_PARTIAL;
-                }
-            }
+            retract_gather(count, &x[first * x_step], x_step, &d[first * d_step], d_step, &block);
+            const single_point_status_t outcome =
+                retract_block(count, block.x, block.d, block.value, &status[first]);
+
+            result = (outcome == SINGLE_POINT_OK) ? result : outcome;
+            lanes_to_rows(count, &status[first], block.value, 4, SINGLE_POINT_RETRACT_LANES,
+                &value[4 * first]);
         }
     }
     return result;

@@ -32,27 +32,45 @@ typedef struct {
 SINGLE_POINT_INLINE flag_t retract_load(
     const single_point_real_t x[],
     const single_point_real_t d[],
+    int32_t stride,
     retract_input_t *in)
 {
     flag_t outside = 0U;
 
     /* position [m, in e] */
     outside |= take_centred(x[0], 10000000.0, &in->position_x);
-    outside |= take_centred(x[1], 10000000.0, &in->position_y);
-    outside |= take_centred(x[2], 10000000.0, &in->position_z);
+    outside |= take_centred(x[stride], 10000000.0, &in->position_y);
+    outside |= take_centred(x[2 * stride], 10000000.0, &in->position_z);
 
     /* clock_bias [m] */
-    outside |= take_centred(x[3], 100000000.0, &in->clock_bias);
+    outside |= take_centred(x[3 * stride], 100000000.0, &in->clock_bias);
 
     /* position [m, in e] */
     outside |= take_centred(d[0], 1000000000.0, &in->position_x_2);
-    outside |= take_centred(d[1], 1000000000.0, &in->position_y_2);
-    outside |= take_centred(d[2], 1000000000.0, &in->position_z_2);
+    outside |= take_centred(d[stride], 1000000000.0, &in->position_y_2);
+    outside |= take_centred(d[2 * stride], 1000000000.0, &in->position_z_2);
 
     /* clock_bias [m] */
-    outside |= take_centred(d[3], 1000000000.0, &in->clock_bias_2);
+    outside |= take_centred(d[3 * stride], 1000000000.0, &in->clock_bias_2);
 
     return (outside != 0U) ? (flag_t)SINGLE_POINT_RANGE : (flag_t)SINGLE_POINT_OK;
+}
+
+/* Copy the inputs of one call that has passed its checks. */
+SINGLE_POINT_INLINE void retract_copy(
+    const single_point_real_t x[],
+    const single_point_real_t d[],
+    int32_t stride,
+    retract_input_t *in)
+{
+    in->position_x = x[0];
+    in->position_y = x[stride];
+    in->position_z = x[2 * stride];
+    in->clock_bias = x[3 * stride];
+    in->position_x_2 = d[0];
+    in->position_y_2 = d[stride];
+    in->position_z_2 = d[2 * stride];
+    in->clock_bias_2 = d[3 * stride];
 }
 
 /* State moved by an error: values and structural non-zeros. */

@@ -9,16 +9,6 @@
 
 #include "warpos_gps_measurement_kernel.h"
 
-/* Epochs a batch evaluates side by side. */
-#define WARPOS_GPS_MEASUREMENT_LANES 64
-
-/** Non-zeros of a block of epochs, each stored contiguously across the epochs. */
-typedef struct {
-    warpos_gps_real_t value[3 * WARPOS_GPS_MEASUREMENT_LANES];
-    warpos_gps_real_t jacobian[3 * WARPOS_GPS_MEASUREMENT_LANES];
-    flag_t status[WARPOS_GPS_MEASUREMENT_LANES];
-} measurement_block_t;
-
 /* Store the non-zeros of value, a stride apart. */
 WARPOS_GPS_INLINE void measurement_put_value(
     const measurement_output_t *out,
@@ -87,7 +77,7 @@ warpos_gps_status_t warpos_gps_measurement(
         measurement_input_t in;
         measurement_output_t out;
 
-        status = (warpos_gps_status_t)measurement_load(x, &in);
+        status = (warpos_gps_status_t)measurement_load(x, 1, &in);
         if (status == WARPOS_GPS_OK) {
             status = (warpos_gps_status_t)measurement_kernel(&in, &out);
         }
@@ -109,7 +99,7 @@ warpos_gps_status_t warpos_gps_measurement_value(
         measurement_input_t in;
         measurement_output_t out;
 
-        status = (warpos_gps_status_t)measurement_load(x, &in);
+        status = (warpos_gps_status_t)measurement_load(x, 1, &in);
         if (status == WARPOS_GPS_OK) {
             status = (warpos_gps_status_t)measurement_kernel(&in, &out);
         }
@@ -130,7 +120,7 @@ warpos_gps_status_t warpos_gps_measurement_jacobian(
         measurement_input_t in;
         measurement_output_t out;
 
-        status = (warpos_gps_status_t)measurement_load(x, &in);
+        status = (warpos_gps_status_t)measurement_load(x, 1, &in);
         if (status == WARPOS_GPS_OK) {
             status = (warpos_gps_status_t)measurement_kernel(&in, &out);
         }
@@ -152,7 +142,7 @@ warpos_gps_status_t warpos_gps_measurement_nz(
         measurement_input_t in;
         measurement_output_t out;
 
-        status = (warpos_gps_status_t)measurement_load(x, &in);
+        status = (warpos_gps_status_t)measurement_load(x, 1, &in);
         if (status == WARPOS_GPS_OK) {
             status = (warpos_gps_status_t)measurement_kernel(&in, &out);
         }
@@ -164,23 +154,112 @@ warpos_gps_status_t warpos_gps_measurement_nz(
     return status;
 }
 
-/* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static WARPOS_GPS_WIDE void measurement_lanes(
+/* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
+static WARPOS_GPS_WIDE flag_t measurement_check_lanes(
     int32_t count,
-    const warpos_gps_real_t x[WARPOS_GPS_RESTRICT], ptrdiff_t x_step,
-    measurement_block_t *WARPOS_GPS_RESTRICT block)
+    const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
+    flag_t codes[WARPOS_GPS_RESTRICT WARPOS_GPS_MEASUREMENT_LANES])
+{
+    flag_t failed = 0U;
+
+    WARPOS_GPS_IVDEP
+    for (int32_t lane = 0; lane < count; ++lane) {
+        measurement_input_t in;
+        measurement_output_t out;
+        const flag_t loaded = measurement_load(&x[lane], WARPOS_GPS_MEASUREMENT_LANES, &in);
+        const flag_t evaluated = measurement_kernel(&in, &out);
+
+        codes[lane] = first_failure(loaded, evaluated);
+        failed |= codes[lane];
+    }
+    return failed;
+}
+
+/* Evaluate epochs side by side that have passed their checks. */
+static WARPOS_GPS_WIDE void measurement_evaluate_lanes(
+    int32_t count,
+    const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t value[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t jacobian_nz[WARPOS_GPS_RESTRICT])
 {
     WARPOS_GPS_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         measurement_input_t in;
         measurement_output_t out;
-        const flag_t loaded = measurement_load(&x[lane * x_step], &in);
-        const flag_t evaluated = measurement_kernel(&in, &out);
 
-        block->status[lane] = first_failure(loaded, evaluated);
-        measurement_put_value(&out, WARPOS_GPS_MEASUREMENT_LANES, &block->value[lane]);
-        measurement_put_jacobian(&out, WARPOS_GPS_MEASUREMENT_LANES, &block->jacobian[lane]);
+        measurement_copy(&x[lane], WARPOS_GPS_MEASUREMENT_LANES, &in);
+        (void)measurement_kernel(&in, &out);
+        measurement_put_value(&out, WARPOS_GPS_MEASUREMENT_LANES, &value[lane]);
+        measurement_put_jacobian(&out, WARPOS_GPS_MEASUREMENT_LANES, &jacobian_nz[lane]);
     }
+}
+
+/* One block: outputs of lanes that fail stay as they are. */
+static warpos_gps_status_t measurement_block(
+    int32_t count,
+    const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t value[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t jacobian_nz[WARPOS_GPS_RESTRICT],
+    uint8_t status[WARPOS_GPS_RESTRICT])
+{
+    flag_t codes[WARPOS_GPS_MEASUREMENT_LANES];
+    const flag_t failed = measurement_check_lanes(count, x, codes);
+
+    for (int32_t lane = 0; lane < count; ++lane) {
+        status[lane] = (uint8_t)codes[lane];
+    }
+    if (failed == (flag_t)WARPOS_GPS_OK) {
+        measurement_evaluate_lanes(count, x, value, jacobian_nz);
+    } else {
+        for (int32_t lane = 0; lane < count; ++lane) {
+            if (codes[lane] == (flag_t)WARPOS_GPS_OK) {
+                measurement_evaluate_lanes(1, &x[lane], &value[lane], &jacobian_nz[lane]);
+            }
+        }
+    }
+    return (failed == (flag_t)WARPOS_GPS_OK) ? WARPOS_GPS_OK : WARPOS_GPS_PARTIAL;
+}
+
+warpos_gps_status_t warpos_gps_measurement_blocks(
+    int32_t epochs,
+    const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t value[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t jacobian_nz[WARPOS_GPS_RESTRICT],
+    uint8_t status[WARPOS_GPS_RESTRICT])
+{
+    warpos_gps_status_t result = WARPOS_GPS_NULL;
+
+    if ((x != NULL) && (value != NULL) && (jacobian_nz != NULL) && (status != NULL)) {
+        result = (epochs < 0) ? WARPOS_GPS_COUNT : WARPOS_GPS_OK;
+        for (ptrdiff_t first = 0; first < epochs; first += WARPOS_GPS_MEASUREMENT_LANES) {
+            const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < WARPOS_GPS_MEASUREMENT_LANES) ? (int32_t)rest :
+                WARPOS_GPS_MEASUREMENT_LANES;
+            const warpos_gps_status_t outcome = measurement_block(count, &x[15 * first],
+                &value[3 * first], &jacobian_nz[3 * first], &status[first]);
+
+            result = (outcome == WARPOS_GPS_OK) ? result : outcome;
+        }
+    }
+    return result;
+}
+
+/** A block of epochs. */
+typedef struct {
+    warpos_gps_real_t x[15 * WARPOS_GPS_MEASUREMENT_LANES];
+    warpos_gps_real_t value[3 * WARPOS_GPS_MEASUREMENT_LANES];
+    warpos_gps_real_t jacobian_nz[3 * WARPOS_GPS_MEASUREMENT_LANES];
+} measurement_block_t;
+
+/* Lay rows of epochs side by side. */
+static void measurement_gather(
+    int32_t count,
+    const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
+    ptrdiff_t x_step,
+    measurement_block_t *WARPOS_GPS_RESTRICT block)
+{
+    rows_to_lanes(count, &x[4], x_step, 3, WARPOS_GPS_MEASUREMENT_LANES,
+        &block->x[4 * WARPOS_GPS_MEASUREMENT_LANES]);
 }
 
 warpos_gps_status_t warpos_gps_measurement_batch(
@@ -195,28 +274,59 @@ warpos_gps_status_t warpos_gps_measurement_batch(
 
     if ((x != NULL) && (value != NULL) && (jacobian != NULL) && (status != NULL)) {
         measurement_block_t block;
-        int32_t count;
 
         result = (epochs < 0) ? WARPOS_GPS_COUNT : WARPOS_GPS_OK;
-        for (ptrdiff_t first = 0; first < epochs; first += count) {
+        for (ptrdiff_t first = 0; first < epochs; first += WARPOS_GPS_MEASUREMENT_LANES) {
             const ptrdiff_t rest = epochs - first;
-
-            count = (rest < WARPOS_GPS_MEASUREMENT_LANES) ? (int32_t)rest :
+            const int32_t count = (rest < WARPOS_GPS_MEASUREMENT_LANES) ? (int32_t)rest :
                 WARPOS_GPS_MEASUREMENT_LANES;
-                measurement_lanes(count, &x[first * x_step], x_step, &block);
-            for (int32_t lane = 0; lane < count; ++lane) {
-                const ptrdiff_t epoch = first + lane;
 
-                status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)WARPOS_GPS_OK) {
-                    measurement_fill_value(&block.value[lane], WARPOS_GPS_MEASUREMENT_LANES,
-                        &value[3 * epoch]);
-                    measurement_fill_jacobian(&block.jacobian[lane], WARPOS_GPS_MEASUREMENT_LANES,
-                        &jacobian[45 * epoch]);
-                } else {
-                    result = WARPOS_GPS_PARTIAL;
+            measurement_gather(count, &x[first * x_step], x_step, &block);
+            const warpos_gps_status_t outcome =
+                measurement_block(count, block.x, block.value, block.jacobian_nz, &status[first]);
+
+            result = (outcome == WARPOS_GPS_OK) ? result : outcome;
+            lanes_to_rows(count, &status[first], block.value, 3, WARPOS_GPS_MEASUREMENT_LANES,
+                &value[3 * first]);
+            for (int32_t lane = 0; lane < count; ++lane) {
+                if (status[first + lane] == (uint8_t)WARPOS_GPS_OK) {
+                    measurement_fill_jacobian(&block.jacobian_nz[lane],
+                        WARPOS_GPS_MEASUREMENT_LANES, &jacobian[45 * (first + lane)]);
                 }
             }
+        }
+    }
+    return result;
+}
+
+warpos_gps_status_t warpos_gps_measurement_batch_nz(
+    int32_t epochs,
+    const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
+    int32_t x_step,
+    warpos_gps_real_t value[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t jacobian_nz[WARPOS_GPS_RESTRICT],
+    uint8_t status[WARPOS_GPS_RESTRICT])
+{
+    warpos_gps_status_t result = WARPOS_GPS_NULL;
+
+    if ((x != NULL) && (value != NULL) && (jacobian_nz != NULL) && (status != NULL)) {
+        measurement_block_t block;
+
+        result = (epochs < 0) ? WARPOS_GPS_COUNT : WARPOS_GPS_OK;
+        for (ptrdiff_t first = 0; first < epochs; first += WARPOS_GPS_MEASUREMENT_LANES) {
+            const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < WARPOS_GPS_MEASUREMENT_LANES) ? (int32_t)rest :
+                WARPOS_GPS_MEASUREMENT_LANES;
+
+            measurement_gather(count, &x[first * x_step], x_step, &block);
+            const warpos_gps_status_t outcome =
+                measurement_block(count, block.x, block.value, block.jacobian_nz, &status[first]);
+
+            result = (outcome == WARPOS_GPS_OK) ? result : outcome;
+            lanes_to_rows(count, &status[first], block.value, 3, WARPOS_GPS_MEASUREMENT_LANES,
+                &value[3 * first]);
+            lanes_to_rows(count, &status[first], block.jacobian_nz, 3, WARPOS_GPS_MEASUREMENT_LANES,
+                &jacobian_nz[3 * first]);
         }
     }
     return result;

@@ -28,16 +28,28 @@ typedef struct {
 /* Check and copy the inputs of one call. */
 WARPOS_GPS_INLINE flag_t measurement_by_column_load(
     const warpos_gps_real_t x[],
+    int32_t stride,
     measurement_by_column_input_t *in)
 {
     flag_t outside = 0U;
 
     /* position [m, in f] */
-    outside |= take_centred(x[4], 1000000000.0, &in->position_x);
-    outside |= take_centred(x[5], 1000000000.0, &in->position_y);
-    outside |= take_centred(x[6], 1000000000.0, &in->position_z);
+    outside |= take_centred(x[4 * stride], 1000000000.0, &in->position_x);
+    outside |= take_centred(x[5 * stride], 1000000000.0, &in->position_y);
+    outside |= take_centred(x[6 * stride], 1000000000.0, &in->position_z);
 
     return (outside != 0U) ? (flag_t)WARPOS_GPS_RANGE : (flag_t)WARPOS_GPS_OK;
+}
+
+/* Copy the inputs of one call that has passed its checks. */
+WARPOS_GPS_INLINE void measurement_by_column_copy(
+    const warpos_gps_real_t x[],
+    int32_t stride,
+    measurement_by_column_input_t *in)
+{
+    in->position_x = x[4 * stride];
+    in->position_y = x[5 * stride];
+    in->position_z = x[6 * stride];
 }
 
 /* Position of a GNSS antenna: values and structural non-zeros. */

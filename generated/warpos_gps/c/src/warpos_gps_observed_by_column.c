@@ -9,16 +9,6 @@
 
 #include "warpos_gps_observed_by_column_kernel.h"
 
-/* Epochs a batch evaluates side by side. */
-#define WARPOS_GPS_OBSERVED_BY_COLUMN_LANES 64
-
-/** Non-zeros of a block of epochs, each stored contiguously across the epochs. */
-typedef struct {
-    warpos_gps_real_t value[3 * WARPOS_GPS_OBSERVED_BY_COLUMN_LANES];
-    warpos_gps_real_t jacobian[9 * WARPOS_GPS_OBSERVED_BY_COLUMN_LANES];
-    flag_t status[WARPOS_GPS_OBSERVED_BY_COLUMN_LANES];
-} observed_by_column_block_t;
-
 /* Store the non-zeros of value, a stride apart. */
 WARPOS_GPS_INLINE void observed_by_column_put_value(
     const observed_by_column_output_t *out,
@@ -123,7 +113,7 @@ warpos_gps_status_t warpos_gps_observed_by_column(
         observed_by_column_input_t in;
         observed_by_column_output_t out;
 
-        status = (warpos_gps_status_t)observed_by_column_load(x, observer_attitude, &in);
+        status = (warpos_gps_status_t)observed_by_column_load(x, observer_attitude, 1, &in);
         if (status == WARPOS_GPS_OK) {
             status = (warpos_gps_status_t)observed_by_column_kernel(&in, &out);
         }
@@ -146,7 +136,7 @@ warpos_gps_status_t warpos_gps_observed_by_column_value(
         observed_by_column_input_t in;
         observed_by_column_output_t out;
 
-        status = (warpos_gps_status_t)observed_by_column_load(x, observer_attitude, &in);
+        status = (warpos_gps_status_t)observed_by_column_load(x, observer_attitude, 1, &in);
         if (status == WARPOS_GPS_OK) {
             status = (warpos_gps_status_t)observed_by_column_kernel(&in, &out);
         }
@@ -168,7 +158,7 @@ warpos_gps_status_t warpos_gps_observed_by_column_jacobian(
         observed_by_column_input_t in;
         observed_by_column_output_t out;
 
-        status = (warpos_gps_status_t)observed_by_column_load(x, observer_attitude, &in);
+        status = (warpos_gps_status_t)observed_by_column_load(x, observer_attitude, 1, &in);
         if (status == WARPOS_GPS_OK) {
             status = (warpos_gps_status_t)observed_by_column_kernel(&in, &out);
         }
@@ -191,7 +181,7 @@ warpos_gps_status_t warpos_gps_observed_by_column_nz(
         observed_by_column_input_t in;
         observed_by_column_output_t out;
 
-        status = (warpos_gps_status_t)observed_by_column_load(x, observer_attitude, &in);
+        status = (warpos_gps_status_t)observed_by_column_load(x, observer_attitude, 1, &in);
         if (status == WARPOS_GPS_OK) {
             status = (warpos_gps_status_t)observed_by_column_kernel(&in, &out);
         }
@@ -203,28 +193,127 @@ warpos_gps_status_t warpos_gps_observed_by_column_nz(
     return status;
 }
 
-/* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static WARPOS_GPS_WIDE void observed_by_column_lanes(
+/* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
+static WARPOS_GPS_WIDE flag_t observed_by_column_check_lanes(
     int32_t count,
-    const warpos_gps_real_t x[WARPOS_GPS_RESTRICT], ptrdiff_t x_step,
-    const warpos_gps_real_t observer_attitude[WARPOS_GPS_RESTRICT], ptrdiff_t
-        observer_attitude_step,
-    observed_by_column_block_t *WARPOS_GPS_RESTRICT block)
+    const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t observer_attitude[WARPOS_GPS_RESTRICT],
+    flag_t codes[WARPOS_GPS_RESTRICT WARPOS_GPS_OBSERVED_BY_COLUMN_LANES])
+{
+    flag_t failed = 0U;
+
+    WARPOS_GPS_IVDEP
+    for (int32_t lane = 0; lane < count; ++lane) {
+        observed_by_column_input_t in;
+        observed_by_column_output_t out;
+        const flag_t loaded = observed_by_column_load(&x[lane], &observer_attitude[lane],
+            WARPOS_GPS_OBSERVED_BY_COLUMN_LANES, &in);
+        const flag_t evaluated = observed_by_column_kernel(&in, &out);
+
+        codes[lane] = first_failure(loaded, evaluated);
+        failed |= codes[lane];
+    }
+    return failed;
+}
+
+/* Evaluate epochs side by side that have passed their checks. */
+static WARPOS_GPS_WIDE void observed_by_column_evaluate_lanes(
+    int32_t count,
+    const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t observer_attitude[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t value[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t jacobian_nz[WARPOS_GPS_RESTRICT])
 {
     WARPOS_GPS_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         observed_by_column_input_t in;
         observed_by_column_output_t out;
-        const flag_t loaded = observed_by_column_load(&x[lane * x_step],
-            &observer_attitude[lane * observer_attitude_step], &in);
-        const flag_t evaluated = observed_by_column_kernel(&in, &out);
 
-        block->status[lane] = first_failure(loaded, evaluated);
-        observed_by_column_put_value(&out, WARPOS_GPS_OBSERVED_BY_COLUMN_LANES,
-            &block->value[lane]);
+        observed_by_column_copy(&x[lane], &observer_attitude[lane],
+            WARPOS_GPS_OBSERVED_BY_COLUMN_LANES, &in);
+        (void)observed_by_column_kernel(&in, &out);
+        observed_by_column_put_value(&out, WARPOS_GPS_OBSERVED_BY_COLUMN_LANES, &value[lane]);
         observed_by_column_put_jacobian(&out, WARPOS_GPS_OBSERVED_BY_COLUMN_LANES,
-            &block->jacobian[lane]);
+            &jacobian_nz[lane]);
     }
+}
+
+/* One block: outputs of lanes that fail stay as they are. */
+static warpos_gps_status_t observed_by_column_block(
+    int32_t count,
+    const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t observer_attitude[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t value[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t jacobian_nz[WARPOS_GPS_RESTRICT],
+    uint8_t status[WARPOS_GPS_RESTRICT])
+{
+    flag_t codes[WARPOS_GPS_OBSERVED_BY_COLUMN_LANES];
+    const flag_t failed = observed_by_column_check_lanes(count, x, observer_attitude, codes);
+
+    for (int32_t lane = 0; lane < count; ++lane) {
+        status[lane] = (uint8_t)codes[lane];
+    }
+    if (failed == (flag_t)WARPOS_GPS_OK) {
+        observed_by_column_evaluate_lanes(count, x, observer_attitude, value, jacobian_nz);
+    } else {
+        for (int32_t lane = 0; lane < count; ++lane) {
+            if (codes[lane] == (flag_t)WARPOS_GPS_OK) {
+                observed_by_column_evaluate_lanes(1, &x[lane], &observer_attitude[lane],
+                    &value[lane], &jacobian_nz[lane]);
+            }
+        }
+    }
+    return (failed == (flag_t)WARPOS_GPS_OK) ? WARPOS_GPS_OK : WARPOS_GPS_PARTIAL;
+}
+
+warpos_gps_status_t warpos_gps_observed_by_column_blocks(
+    int32_t epochs,
+    const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t observer_attitude[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t value[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t jacobian_nz[WARPOS_GPS_RESTRICT],
+    uint8_t status[WARPOS_GPS_RESTRICT])
+{
+    warpos_gps_status_t result = WARPOS_GPS_NULL;
+
+    if ((x != NULL) && (observer_attitude != NULL) && (value != NULL) && (jacobian_nz != NULL) &&
+        (status != NULL)) {
+        result = (epochs < 0) ? WARPOS_GPS_COUNT : WARPOS_GPS_OK;
+        for (ptrdiff_t first = 0; first < epochs; first += WARPOS_GPS_OBSERVED_BY_COLUMN_LANES) {
+            const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < WARPOS_GPS_OBSERVED_BY_COLUMN_LANES) ? (int32_t)rest :
+                WARPOS_GPS_OBSERVED_BY_COLUMN_LANES;
+            const warpos_gps_status_t outcome = observed_by_column_block(count, &x[15 * first],
+                &observer_attitude[4 * first], &value[3 * first], &jacobian_nz[9 * first],
+                &status[first]);
+
+            result = (outcome == WARPOS_GPS_OK) ? result : outcome;
+        }
+    }
+    return result;
+}
+
+/** A block of epochs. */
+typedef struct {
+    warpos_gps_real_t x[15 * WARPOS_GPS_OBSERVED_BY_COLUMN_LANES];
+    warpos_gps_real_t observer_attitude[4 * WARPOS_GPS_OBSERVED_BY_COLUMN_LANES];
+    warpos_gps_real_t value[3 * WARPOS_GPS_OBSERVED_BY_COLUMN_LANES];
+    warpos_gps_real_t jacobian_nz[9 * WARPOS_GPS_OBSERVED_BY_COLUMN_LANES];
+} observed_by_column_block_t;
+
+/* Lay rows of epochs side by side. */
+static void observed_by_column_gather(
+    int32_t count,
+    const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
+    ptrdiff_t x_step,
+    const warpos_gps_real_t observer_attitude[WARPOS_GPS_RESTRICT],
+    ptrdiff_t observer_attitude_step,
+    observed_by_column_block_t *WARPOS_GPS_RESTRICT block)
+{
+    rows_to_lanes(count, &x[4], x_step, 3, WARPOS_GPS_OBSERVED_BY_COLUMN_LANES,
+        &block->x[4 * WARPOS_GPS_OBSERVED_BY_COLUMN_LANES]);
+    rows_to_lanes(count, observer_attitude, observer_attitude_step, 4,
+        WARPOS_GPS_OBSERVED_BY_COLUMN_LANES, block->observer_attitude);
 }
 
 warpos_gps_status_t warpos_gps_observed_by_column_batch(
@@ -242,30 +331,64 @@ warpos_gps_status_t warpos_gps_observed_by_column_batch(
     if ((x != NULL) && (observer_attitude != NULL) && (value != NULL) && (jacobian != NULL) &&
         (status != NULL)) {
         observed_by_column_block_t block;
-        int32_t count;
 
         result = (epochs < 0) ? WARPOS_GPS_COUNT : WARPOS_GPS_OK;
-        for (ptrdiff_t first = 0; first < epochs; first += count) {
+        for (ptrdiff_t first = 0; first < epochs; first += WARPOS_GPS_OBSERVED_BY_COLUMN_LANES) {
             const ptrdiff_t rest = epochs - first;
-
-            count = (rest < WARPOS_GPS_OBSERVED_BY_COLUMN_LANES) ? (int32_t)rest :
+            const int32_t count = (rest < WARPOS_GPS_OBSERVED_BY_COLUMN_LANES) ? (int32_t)rest :
                 WARPOS_GPS_OBSERVED_BY_COLUMN_LANES;
-                observed_by_column_lanes(count, &x[first * x_step], x_step,
-                    &observer_attitude[first * observer_attitude_step], observer_attitude_step,
-                    &block);
-            for (int32_t lane = 0; lane < count; ++lane) {
-                const ptrdiff_t epoch = first + lane;
 
-                status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)WARPOS_GPS_OK) {
-                    observed_by_column_fill_value(&block.value[lane],
-                        WARPOS_GPS_OBSERVED_BY_COLUMN_LANES, &value[3 * epoch]);
-                    observed_by_column_fill_jacobian_by_row(&block.jacobian[lane],
-                        WARPOS_GPS_OBSERVED_BY_COLUMN_LANES, &jacobian[45 * epoch]);
-                } else {
-                    result = WARPOS_GPS_PARTIAL;
+            observed_by_column_gather(count, &x[first * x_step], x_step,
+                &observer_attitude[first * observer_attitude_step], observer_attitude_step, &block);
+            const warpos_gps_status_t outcome = observed_by_column_block(count, block.x,
+                block.observer_attitude, block.value, block.jacobian_nz, &status[first]);
+
+            result = (outcome == WARPOS_GPS_OK) ? result : outcome;
+            lanes_to_rows(count, &status[first], block.value, 3,
+                WARPOS_GPS_OBSERVED_BY_COLUMN_LANES, &value[3 * first]);
+            for (int32_t lane = 0; lane < count; ++lane) {
+                if (status[first + lane] == (uint8_t)WARPOS_GPS_OK) {
+                    observed_by_column_fill_jacobian_by_row(&block.jacobian_nz[lane],
+                        WARPOS_GPS_OBSERVED_BY_COLUMN_LANES, &jacobian[45 * (first + lane)]);
                 }
             }
+        }
+    }
+    return result;
+}
+
+warpos_gps_status_t warpos_gps_observed_by_column_batch_nz(
+    int32_t epochs,
+    const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
+    int32_t x_step,
+    const warpos_gps_real_t observer_attitude[WARPOS_GPS_RESTRICT],
+    int32_t observer_attitude_step,
+    warpos_gps_real_t value[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t jacobian_nz[WARPOS_GPS_RESTRICT],
+    uint8_t status[WARPOS_GPS_RESTRICT])
+{
+    warpos_gps_status_t result = WARPOS_GPS_NULL;
+
+    if ((x != NULL) && (observer_attitude != NULL) && (value != NULL) && (jacobian_nz != NULL) &&
+        (status != NULL)) {
+        observed_by_column_block_t block;
+
+        result = (epochs < 0) ? WARPOS_GPS_COUNT : WARPOS_GPS_OK;
+        for (ptrdiff_t first = 0; first < epochs; first += WARPOS_GPS_OBSERVED_BY_COLUMN_LANES) {
+            const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < WARPOS_GPS_OBSERVED_BY_COLUMN_LANES) ? (int32_t)rest :
+                WARPOS_GPS_OBSERVED_BY_COLUMN_LANES;
+
+            observed_by_column_gather(count, &x[first * x_step], x_step,
+                &observer_attitude[first * observer_attitude_step], observer_attitude_step, &block);
+            const warpos_gps_status_t outcome = observed_by_column_block(count, block.x,
+                block.observer_attitude, block.value, block.jacobian_nz, &status[first]);
+
+            result = (outcome == WARPOS_GPS_OK) ? result : outcome;
+            lanes_to_rows(count, &status[first], block.value, 3,
+                WARPOS_GPS_OBSERVED_BY_COLUMN_LANES, &value[3 * first]);
+            lanes_to_rows(count, &status[first], block.jacobian_nz, 9,
+                WARPOS_GPS_OBSERVED_BY_COLUMN_LANES, &jacobian_nz[9 * first]);
         }
     }
     return result;

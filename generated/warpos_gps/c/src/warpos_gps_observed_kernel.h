@@ -32,26 +32,43 @@ typedef struct {
 WARPOS_GPS_INLINE flag_t observed_load(
     const warpos_gps_real_t x[],
     const warpos_gps_real_t observer_attitude[],
+    int32_t stride,
     observed_input_t *in)
 {
     flag_t outside = 0U;
     flag_t skewed = 0U;
 
     /* position [m, in f] */
-    outside |= take_centred(x[4], 1000000000.0, &in->position_x);
-    outside |= take_centred(x[5], 1000000000.0, &in->position_y);
-    outside |= take_centred(x[6], 1000000000.0, &in->position_z);
+    outside |= take_centred(x[4 * stride], 1000000000.0, &in->position_x);
+    outside |= take_centred(x[5 * stride], 1000000000.0, &in->position_y);
+    outside |= take_centred(x[6 * stride], 1000000000.0, &in->position_z);
 
     /* observer_attitude [ref -> f] */
     outside |= take_centred(observer_attitude[0], 1.00001, &in->observer_attitude_w);
-    outside |= take_centred(observer_attitude[1], 1.00001, &in->observer_attitude_x);
-    outside |= take_centred(observer_attitude[2], 1.00001, &in->observer_attitude_y);
-    outside |= take_centred(observer_attitude[3], 1.00001, &in->observer_attitude_z);
+    outside |= take_centred(observer_attitude[stride], 1.00001, &in->observer_attitude_x);
+    outside |= take_centred(observer_attitude[2 * stride], 1.00001, &in->observer_attitude_y);
+    outside |= take_centred(observer_attitude[3 * stride], 1.00001, &in->observer_attitude_z);
     skewed |= is_skewed_quaternion(in->observer_attitude_w, in->observer_attitude_x,
         in->observer_attitude_y, in->observer_attitude_z, 1.0e-05);
 
     return (outside != 0U) ? (flag_t)WARPOS_GPS_RANGE :
         ((skewed != 0U) ? (flag_t)WARPOS_GPS_QNORM : (flag_t)WARPOS_GPS_OK);
+}
+
+/* Copy the inputs of one call that has passed its checks. */
+WARPOS_GPS_INLINE void observed_copy(
+    const warpos_gps_real_t x[],
+    const warpos_gps_real_t observer_attitude[],
+    int32_t stride,
+    observed_input_t *in)
+{
+    in->position_x = x[4 * stride];
+    in->position_y = x[5 * stride];
+    in->position_z = x[6 * stride];
+    in->observer_attitude_w = observer_attitude[0];
+    in->observer_attitude_x = observer_attitude[stride];
+    in->observer_attitude_y = observer_attitude[2 * stride];
+    in->observer_attitude_z = observer_attitude[3 * stride];
 }
 
 /* Position of a GNSS antenna: values and structural non-zeros. */

@@ -9,15 +9,6 @@
 
 #include "warpos_gps_retract_kernel.h"
 
-/* Epochs a batch evaluates side by side. */
-#define WARPOS_GPS_RETRACT_LANES 64
-
-/** Non-zeros of a block of epochs, each stored contiguously across the epochs. */
-typedef struct {
-    warpos_gps_real_t value[15 * WARPOS_GPS_RETRACT_LANES];
-    flag_t status[WARPOS_GPS_RETRACT_LANES];
-} retract_block_t;
-
 /* Store the non-zeros of value, a stride apart. */
 WARPOS_GPS_INLINE void retract_put_value(
     const retract_output_t *out,
@@ -75,7 +66,7 @@ warpos_gps_status_t warpos_gps_retract(
         retract_input_t in;
         retract_output_t out;
 
-        status = (warpos_gps_status_t)retract_load(x, d, &in);
+        status = (warpos_gps_status_t)retract_load(x, d, 1, &in);
         if (status == WARPOS_GPS_OK) {
             status = (warpos_gps_status_t)retract_kernel(&in, &out);
         }
@@ -86,23 +77,114 @@ warpos_gps_status_t warpos_gps_retract(
     return status;
 }
 
-/* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static WARPOS_GPS_WIDE void retract_lanes(
+/* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
+static WARPOS_GPS_WIDE flag_t retract_check_lanes(
     int32_t count,
-    const warpos_gps_real_t x[WARPOS_GPS_RESTRICT], ptrdiff_t x_step,
-    const warpos_gps_real_t d[WARPOS_GPS_RESTRICT], ptrdiff_t d_step,
-    retract_block_t *WARPOS_GPS_RESTRICT block)
+    const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t d[WARPOS_GPS_RESTRICT],
+    flag_t codes[WARPOS_GPS_RESTRICT WARPOS_GPS_RETRACT_LANES])
+{
+    flag_t failed = 0U;
+
+    WARPOS_GPS_IVDEP
+    for (int32_t lane = 0; lane < count; ++lane) {
+        retract_input_t in;
+        retract_output_t out;
+        const flag_t loaded = retract_load(&x[lane], &d[lane], WARPOS_GPS_RETRACT_LANES, &in);
+        const flag_t evaluated = retract_kernel(&in, &out);
+
+        codes[lane] = first_failure(loaded, evaluated);
+        failed |= codes[lane];
+    }
+    return failed;
+}
+
+/* Evaluate epochs side by side that have passed their checks. */
+static WARPOS_GPS_WIDE void retract_evaluate_lanes(
+    int32_t count,
+    const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t d[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t value[WARPOS_GPS_RESTRICT])
 {
     WARPOS_GPS_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         retract_input_t in;
         retract_output_t out;
-        const flag_t loaded = retract_load(&x[lane * x_step], &d[lane * d_step], &in);
-        const flag_t evaluated = retract_kernel(&in, &out);
 
-        block->status[lane] = first_failure(loaded, evaluated);
-        retract_put_value(&out, WARPOS_GPS_RETRACT_LANES, &block->value[lane]);
+        retract_copy(&x[lane], &d[lane], WARPOS_GPS_RETRACT_LANES, &in);
+        (void)retract_kernel(&in, &out);
+        retract_put_value(&out, WARPOS_GPS_RETRACT_LANES, &value[lane]);
     }
+}
+
+/* One block: outputs of lanes that fail stay as they are. */
+static warpos_gps_status_t retract_block(
+    int32_t count,
+    const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t d[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t value[WARPOS_GPS_RESTRICT],
+    uint8_t status[WARPOS_GPS_RESTRICT])
+{
+    flag_t codes[WARPOS_GPS_RETRACT_LANES];
+    const flag_t failed = retract_check_lanes(count, x, d, codes);
+
+    for (int32_t lane = 0; lane < count; ++lane) {
+        status[lane] = (uint8_t)codes[lane];
+    }
+    if (failed == (flag_t)WARPOS_GPS_OK) {
+        retract_evaluate_lanes(count, x, d, value);
+    } else {
+        for (int32_t lane = 0; lane < count; ++lane) {
+            if (codes[lane] == (flag_t)WARPOS_GPS_OK) {
+                retract_evaluate_lanes(1, &x[lane], &d[lane], &value[lane]);
+            }
+        }
+    }
+    return (failed == (flag_t)WARPOS_GPS_OK) ? WARPOS_GPS_OK : WARPOS_GPS_PARTIAL;
+}
+
+warpos_gps_status_t warpos_gps_retract_blocks(
+    int32_t epochs,
+    const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t d[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t value[WARPOS_GPS_RESTRICT],
+    uint8_t status[WARPOS_GPS_RESTRICT])
+{
+    warpos_gps_status_t result = WARPOS_GPS_NULL;
+
+    if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
+        result = (epochs < 0) ? WARPOS_GPS_COUNT : WARPOS_GPS_OK;
+        for (ptrdiff_t first = 0; first < epochs; first += WARPOS_GPS_RETRACT_LANES) {
+            const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < WARPOS_GPS_RETRACT_LANES) ? (int32_t)rest :
+                WARPOS_GPS_RETRACT_LANES;
+            const warpos_gps_status_t outcome = retract_block(count, &x[15 * first], &d[15 * first],
+                &value[15 * first], &status[first]);
+
+            result = (outcome == WARPOS_GPS_OK) ? result : outcome;
+        }
+    }
+    return result;
+}
+
+/** A block of epochs. */
+typedef struct {
+    warpos_gps_real_t x[15 * WARPOS_GPS_RETRACT_LANES];
+    warpos_gps_real_t d[15 * WARPOS_GPS_RETRACT_LANES];
+    warpos_gps_real_t value[15 * WARPOS_GPS_RETRACT_LANES];
+} retract_block_t;
+
+/* Lay rows of epochs side by side. */
+static void retract_gather(
+    int32_t count,
+    const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
+    ptrdiff_t x_step,
+    const warpos_gps_real_t d[WARPOS_GPS_RESTRICT],
+    ptrdiff_t d_step,
+    retract_block_t *WARPOS_GPS_RESTRICT block)
+{
+    rows_to_lanes(count, x, x_step, 15, WARPOS_GPS_RETRACT_LANES, block->x);
+    rows_to_lanes(count, d, d_step, 15, WARPOS_GPS_RETRACT_LANES, block->d);
 }
 
 warpos_gps_status_t warpos_gps_retract_batch(
@@ -118,26 +200,20 @@ warpos_gps_status_t warpos_gps_retract_batch(
 
     if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
         retract_block_t block;
-        int32_t count;
 
         result = (epochs < 0) ? WARPOS_GPS_COUNT : WARPOS_GPS_OK;
-        for (ptrdiff_t first = 0; first < epochs; first += count) {
+        for (ptrdiff_t first = 0; first < epochs; first += WARPOS_GPS_RETRACT_LANES) {
             const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < WARPOS_GPS_RETRACT_LANES) ? (int32_t)rest :
+                WARPOS_GPS_RETRACT_LANES;
 
-            count = (rest < WARPOS_GPS_RETRACT_LANES) ? (int32_t)rest : WARPOS_GPS_RETRACT_LANES;
-                retract_lanes(count, &x[first * x_step], x_step, &d[first * d_step], d_step,
-                    &block);
-            for (int32_t lane = 0; lane < count; ++lane) {
-                const ptrdiff_t epoch = first + lane;
+            retract_gather(count, &x[first * x_step], x_step, &d[first * d_step], d_step, &block);
+            const warpos_gps_status_t outcome =
+                retract_block(count, block.x, block.d, block.value, &status[first]);
 
-                status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)WARPOS_GPS_OK) {
-                    retract_fill_value(&block.value[lane], WARPOS_GPS_RETRACT_LANES,
-                        &value[15 * epoch]);
-                } else {
-                    result = WARPOS_GPS_PARTIAL;
-                }
-            }
+            result = (outcome == WARPOS_GPS_OK) ? result : outcome;
+            lanes_to_rows(count, &status[first], block.value, 15, WARPOS_GPS_RETRACT_LANES,
+                &value[15 * first]);
         }
     }
     return result;

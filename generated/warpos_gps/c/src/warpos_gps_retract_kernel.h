@@ -54,53 +54,93 @@ typedef struct {
 WARPOS_GPS_INLINE flag_t retract_load(
     const warpos_gps_real_t x[],
     const warpos_gps_real_t d[],
+    int32_t stride,
     retract_input_t *in)
 {
     flag_t outside = 0U;
 
     /* leading */
     outside |= take_centred(x[0], 1000000000.0, &in->leading_0);
-    outside |= take_centred(x[1], 1000000000.0, &in->leading_1);
-    outside |= take_centred(x[2], 1000000000.0, &in->leading_2);
-    outside |= take_centred(x[3], 1000000000.0, &in->leading_3);
+    outside |= take_centred(x[stride], 1000000000.0, &in->leading_1);
+    outside |= take_centred(x[2 * stride], 1000000000.0, &in->leading_2);
+    outside |= take_centred(x[3 * stride], 1000000000.0, &in->leading_3);
 
     /* position [m, in f] */
-    outside |= take_centred(x[4], 1000000000.0, &in->position_x);
-    outside |= take_centred(x[5], 1000000000.0, &in->position_y);
-    outside |= take_centred(x[6], 1000000000.0, &in->position_z);
+    outside |= take_centred(x[4 * stride], 1000000000.0, &in->position_x);
+    outside |= take_centred(x[5 * stride], 1000000000.0, &in->position_y);
+    outside |= take_centred(x[6 * stride], 1000000000.0, &in->position_z);
 
     /* trailing */
-    outside |= take_centred(x[7], 1000000000.0, &in->trailing_0);
-    outside |= take_centred(x[8], 1000000000.0, &in->trailing_1);
-    outside |= take_centred(x[9], 1000000000.0, &in->trailing_2);
-    outside |= take_centred(x[10], 1000000000.0, &in->trailing_3);
-    outside |= take_centred(x[11], 1000000000.0, &in->trailing_4);
-    outside |= take_centred(x[12], 1000000000.0, &in->trailing_5);
-    outside |= take_centred(x[13], 1000000000.0, &in->trailing_6);
-    outside |= take_centred(x[14], 1000000000.0, &in->trailing_7);
+    outside |= take_centred(x[7 * stride], 1000000000.0, &in->trailing_0);
+    outside |= take_centred(x[8 * stride], 1000000000.0, &in->trailing_1);
+    outside |= take_centred(x[9 * stride], 1000000000.0, &in->trailing_2);
+    outside |= take_centred(x[10 * stride], 1000000000.0, &in->trailing_3);
+    outside |= take_centred(x[11 * stride], 1000000000.0, &in->trailing_4);
+    outside |= take_centred(x[12 * stride], 1000000000.0, &in->trailing_5);
+    outside |= take_centred(x[13 * stride], 1000000000.0, &in->trailing_6);
+    outside |= take_centred(x[14 * stride], 1000000000.0, &in->trailing_7);
 
     /* leading */
     outside |= take_centred(d[0], 1000000000.0, &in->leading_0_2);
-    outside |= take_centred(d[1], 1000000000.0, &in->leading_1_2);
-    outside |= take_centred(d[2], 1000000000.0, &in->leading_2_2);
-    outside |= take_centred(d[3], 1000000000.0, &in->leading_3_2);
+    outside |= take_centred(d[stride], 1000000000.0, &in->leading_1_2);
+    outside |= take_centred(d[2 * stride], 1000000000.0, &in->leading_2_2);
+    outside |= take_centred(d[3 * stride], 1000000000.0, &in->leading_3_2);
 
     /* position [m, in f] */
-    outside |= take_centred(d[4], 1000000000.0, &in->position_x_2);
-    outside |= take_centred(d[5], 1000000000.0, &in->position_y_2);
-    outside |= take_centred(d[6], 1000000000.0, &in->position_z_2);
+    outside |= take_centred(d[4 * stride], 1000000000.0, &in->position_x_2);
+    outside |= take_centred(d[5 * stride], 1000000000.0, &in->position_y_2);
+    outside |= take_centred(d[6 * stride], 1000000000.0, &in->position_z_2);
 
     /* trailing */
-    outside |= take_centred(d[7], 1000000000.0, &in->trailing_0_2);
-    outside |= take_centred(d[8], 1000000000.0, &in->trailing_1_2);
-    outside |= take_centred(d[9], 1000000000.0, &in->trailing_2_2);
-    outside |= take_centred(d[10], 1000000000.0, &in->trailing_3_2);
-    outside |= take_centred(d[11], 1000000000.0, &in->trailing_4_2);
-    outside |= take_centred(d[12], 1000000000.0, &in->trailing_5_2);
-    outside |= take_centred(d[13], 1000000000.0, &in->trailing_6_2);
-    outside |= take_centred(d[14], 1000000000.0, &in->trailing_7_2);
+    outside |= take_centred(d[7 * stride], 1000000000.0, &in->trailing_0_2);
+    outside |= take_centred(d[8 * stride], 1000000000.0, &in->trailing_1_2);
+    outside |= take_centred(d[9 * stride], 1000000000.0, &in->trailing_2_2);
+    outside |= take_centred(d[10 * stride], 1000000000.0, &in->trailing_3_2);
+    outside |= take_centred(d[11 * stride], 1000000000.0, &in->trailing_4_2);
+    outside |= take_centred(d[12 * stride], 1000000000.0, &in->trailing_5_2);
+    outside |= take_centred(d[13 * stride], 1000000000.0, &in->trailing_6_2);
+    outside |= take_centred(d[14 * stride], 1000000000.0, &in->trailing_7_2);
 
     return (outside != 0U) ? (flag_t)WARPOS_GPS_RANGE : (flag_t)WARPOS_GPS_OK;
+}
+
+/* Copy the inputs of one call that has passed its checks. */
+WARPOS_GPS_INLINE void retract_copy(
+    const warpos_gps_real_t x[],
+    const warpos_gps_real_t d[],
+    int32_t stride,
+    retract_input_t *in)
+{
+    in->leading_0 = x[0];
+    in->leading_1 = x[stride];
+    in->leading_2 = x[2 * stride];
+    in->leading_3 = x[3 * stride];
+    in->position_x = x[4 * stride];
+    in->position_y = x[5 * stride];
+    in->position_z = x[6 * stride];
+    in->trailing_0 = x[7 * stride];
+    in->trailing_1 = x[8 * stride];
+    in->trailing_2 = x[9 * stride];
+    in->trailing_3 = x[10 * stride];
+    in->trailing_4 = x[11 * stride];
+    in->trailing_5 = x[12 * stride];
+    in->trailing_6 = x[13 * stride];
+    in->trailing_7 = x[14 * stride];
+    in->leading_0_2 = d[0];
+    in->leading_1_2 = d[stride];
+    in->leading_2_2 = d[2 * stride];
+    in->leading_3_2 = d[3 * stride];
+    in->position_x_2 = d[4 * stride];
+    in->position_y_2 = d[5 * stride];
+    in->position_z_2 = d[6 * stride];
+    in->trailing_0_2 = d[7 * stride];
+    in->trailing_1_2 = d[8 * stride];
+    in->trailing_2_2 = d[9 * stride];
+    in->trailing_3_2 = d[10 * stride];
+    in->trailing_4_2 = d[11 * stride];
+    in->trailing_5_2 = d[12 * stride];
+    in->trailing_6_2 = d[13 * stride];
+    in->trailing_7_2 = d[14 * stride];
 }
 
 /* State moved by an error: values and structural non-zeros. */

@@ -9,16 +9,6 @@
 
 #include "warpos_gps_to_state_frame_kernel.h"
 
-/* Epochs a batch evaluates side by side. */
-#define WARPOS_GPS_TO_STATE_FRAME_LANES 64
-
-/** Non-zeros of a block of epochs, each stored contiguously across the epochs. */
-typedef struct {
-    warpos_gps_real_t value[3 * WARPOS_GPS_TO_STATE_FRAME_LANES];
-    warpos_gps_real_t value_covariance[9 * WARPOS_GPS_TO_STATE_FRAME_LANES];
-    flag_t status[WARPOS_GPS_TO_STATE_FRAME_LANES];
-} to_state_frame_block_t;
-
 /* Store the non-zeros of value, a stride apart. */
 WARPOS_GPS_INLINE void to_state_frame_put_value(
     const to_state_frame_output_t *out,
@@ -94,7 +84,7 @@ warpos_gps_status_t warpos_gps_to_state_frame(
         to_state_frame_output_t out;
 
         status = (warpos_gps_status_t)to_state_frame_load(observer_attitude, receiver_position,
-            origin_offset, attitude, lever_arm, covariance_2, &in);
+            origin_offset, attitude, lever_arm, covariance_2, 1, &in);
         if (status == WARPOS_GPS_OK) {
             status = (warpos_gps_status_t)to_state_frame_kernel(&in, &out);
         }
@@ -106,34 +96,171 @@ warpos_gps_status_t warpos_gps_to_state_frame(
     return status;
 }
 
-/* Evaluate a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static WARPOS_GPS_WIDE void to_state_frame_lanes(
+/* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
+static WARPOS_GPS_WIDE flag_t to_state_frame_check_lanes(
     int32_t count,
-    const warpos_gps_real_t observer_attitude[WARPOS_GPS_RESTRICT], ptrdiff_t
-        observer_attitude_step,
-    const warpos_gps_real_t receiver_position[WARPOS_GPS_RESTRICT], ptrdiff_t
-        receiver_position_step,
-    const warpos_gps_real_t origin_offset[WARPOS_GPS_RESTRICT], ptrdiff_t origin_offset_step,
-    const warpos_gps_real_t attitude[WARPOS_GPS_RESTRICT], ptrdiff_t attitude_step,
-    const warpos_gps_real_t lever_arm[WARPOS_GPS_RESTRICT], ptrdiff_t lever_arm_step,
-    const warpos_gps_real_t covariance_2[WARPOS_GPS_RESTRICT], ptrdiff_t covariance_2_step,
-    to_state_frame_block_t *WARPOS_GPS_RESTRICT block)
+    const warpos_gps_real_t observer_attitude[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t receiver_position[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t origin_offset[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t attitude[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t lever_arm[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t covariance_2[WARPOS_GPS_RESTRICT],
+    flag_t codes[WARPOS_GPS_RESTRICT WARPOS_GPS_TO_STATE_FRAME_LANES])
+{
+    flag_t failed = 0U;
+
+    WARPOS_GPS_IVDEP
+    for (int32_t lane = 0; lane < count; ++lane) {
+        to_state_frame_input_t in;
+        to_state_frame_output_t out;
+        const flag_t loaded = to_state_frame_load(&observer_attitude[lane],
+            &receiver_position[lane], &origin_offset[lane], &attitude[lane], &lever_arm[lane],
+            &covariance_2[lane], WARPOS_GPS_TO_STATE_FRAME_LANES, &in);
+        const flag_t evaluated = to_state_frame_kernel(&in, &out);
+
+        codes[lane] = first_failure(loaded, evaluated);
+        failed |= codes[lane];
+    }
+    return failed;
+}
+
+/* Evaluate epochs side by side that have passed their checks. */
+static WARPOS_GPS_WIDE void to_state_frame_evaluate_lanes(
+    int32_t count,
+    const warpos_gps_real_t observer_attitude[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t receiver_position[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t origin_offset[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t attitude[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t lever_arm[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t covariance_2[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t value[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t value_covariance[WARPOS_GPS_RESTRICT])
 {
     WARPOS_GPS_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         to_state_frame_input_t in;
         to_state_frame_output_t out;
-        const flag_t loaded = to_state_frame_load(&observer_attitude[lane * observer_attitude_step],
-            &receiver_position[lane * receiver_position_step],
-            &origin_offset[lane * origin_offset_step], &attitude[lane * attitude_step],
-            &lever_arm[lane * lever_arm_step], &covariance_2[lane * covariance_2_step], &in);
-        const flag_t evaluated = to_state_frame_kernel(&in, &out);
 
-        block->status[lane] = first_failure(loaded, evaluated);
-        to_state_frame_put_value(&out, WARPOS_GPS_TO_STATE_FRAME_LANES, &block->value[lane]);
+        to_state_frame_copy(&observer_attitude[lane], &receiver_position[lane],
+            &origin_offset[lane], &attitude[lane], &lever_arm[lane], &covariance_2[lane],
+            WARPOS_GPS_TO_STATE_FRAME_LANES, &in);
+        (void)to_state_frame_kernel(&in, &out);
+        to_state_frame_put_value(&out, WARPOS_GPS_TO_STATE_FRAME_LANES, &value[lane]);
         to_state_frame_put_value_covariance(&out, WARPOS_GPS_TO_STATE_FRAME_LANES,
-            &block->value_covariance[lane]);
+            &value_covariance[lane]);
     }
+}
+
+/* One block: outputs of lanes that fail stay as they are. */
+static warpos_gps_status_t to_state_frame_block(
+    int32_t count,
+    const warpos_gps_real_t observer_attitude[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t receiver_position[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t origin_offset[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t attitude[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t lever_arm[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t covariance_2[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t value[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t value_covariance[WARPOS_GPS_RESTRICT],
+    uint8_t status[WARPOS_GPS_RESTRICT])
+{
+    flag_t codes[WARPOS_GPS_TO_STATE_FRAME_LANES];
+    const flag_t failed = to_state_frame_check_lanes(count, observer_attitude, receiver_position,
+        origin_offset, attitude, lever_arm, covariance_2, codes);
+
+    for (int32_t lane = 0; lane < count; ++lane) {
+        status[lane] = (uint8_t)codes[lane];
+    }
+    if (failed == (flag_t)WARPOS_GPS_OK) {
+        to_state_frame_evaluate_lanes(count, observer_attitude, receiver_position, origin_offset,
+            attitude, lever_arm, covariance_2, value, value_covariance);
+    } else {
+        for (int32_t lane = 0; lane < count; ++lane) {
+            if (codes[lane] == (flag_t)WARPOS_GPS_OK) {
+                to_state_frame_evaluate_lanes(1, &observer_attitude[lane], &receiver_position[lane],
+                    &origin_offset[lane], &attitude[lane], &lever_arm[lane], &covariance_2[lane],
+                    &value[lane], &value_covariance[lane]);
+            }
+        }
+    }
+    return (failed == (flag_t)WARPOS_GPS_OK) ? WARPOS_GPS_OK : WARPOS_GPS_PARTIAL;
+}
+
+warpos_gps_status_t warpos_gps_to_state_frame_blocks(
+    int32_t epochs,
+    const warpos_gps_real_t observer_attitude[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t receiver_position[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t origin_offset[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t attitude[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t lever_arm[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t covariance_2[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t value[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t value_covariance[WARPOS_GPS_RESTRICT],
+    uint8_t status[WARPOS_GPS_RESTRICT])
+{
+    warpos_gps_status_t result = WARPOS_GPS_NULL;
+
+    if ((observer_attitude != NULL) && (receiver_position != NULL) && (origin_offset != NULL) &&
+        (attitude != NULL) && (lever_arm != NULL) && (covariance_2 != NULL) && (value != NULL) &&
+        (value_covariance != NULL) && (status != NULL)) {
+        result = (epochs < 0) ? WARPOS_GPS_COUNT : WARPOS_GPS_OK;
+        for (ptrdiff_t first = 0; first < epochs; first += WARPOS_GPS_TO_STATE_FRAME_LANES) {
+            const ptrdiff_t rest = epochs - first;
+            const int32_t count = (rest < WARPOS_GPS_TO_STATE_FRAME_LANES) ? (int32_t)rest :
+                WARPOS_GPS_TO_STATE_FRAME_LANES;
+            const warpos_gps_status_t outcome = to_state_frame_block(count,
+                &observer_attitude[4 * first], &receiver_position[3 * first],
+                &origin_offset[3 * first], &attitude[4 * first], &lever_arm[3 * first],
+                &covariance_2[9 * first], &value[3 * first], &value_covariance[9 * first],
+                &status[first]);
+
+            result = (outcome == WARPOS_GPS_OK) ? result : outcome;
+        }
+    }
+    return result;
+}
+
+/** A block of epochs. */
+typedef struct {
+    warpos_gps_real_t observer_attitude[4 * WARPOS_GPS_TO_STATE_FRAME_LANES];
+    warpos_gps_real_t receiver_position[3 * WARPOS_GPS_TO_STATE_FRAME_LANES];
+    warpos_gps_real_t origin_offset[3 * WARPOS_GPS_TO_STATE_FRAME_LANES];
+    warpos_gps_real_t attitude[4 * WARPOS_GPS_TO_STATE_FRAME_LANES];
+    warpos_gps_real_t lever_arm[3 * WARPOS_GPS_TO_STATE_FRAME_LANES];
+    warpos_gps_real_t covariance_2[9 * WARPOS_GPS_TO_STATE_FRAME_LANES];
+    warpos_gps_real_t value[3 * WARPOS_GPS_TO_STATE_FRAME_LANES];
+    warpos_gps_real_t value_covariance[9 * WARPOS_GPS_TO_STATE_FRAME_LANES];
+} to_state_frame_block_t;
+
+/* Lay rows of epochs side by side. */
+static void to_state_frame_gather(
+    int32_t count,
+    const warpos_gps_real_t observer_attitude[WARPOS_GPS_RESTRICT],
+    ptrdiff_t observer_attitude_step,
+    const warpos_gps_real_t receiver_position[WARPOS_GPS_RESTRICT],
+    ptrdiff_t receiver_position_step,
+    const warpos_gps_real_t origin_offset[WARPOS_GPS_RESTRICT],
+    ptrdiff_t origin_offset_step,
+    const warpos_gps_real_t attitude[WARPOS_GPS_RESTRICT],
+    ptrdiff_t attitude_step,
+    const warpos_gps_real_t lever_arm[WARPOS_GPS_RESTRICT],
+    ptrdiff_t lever_arm_step,
+    const warpos_gps_real_t covariance_2[WARPOS_GPS_RESTRICT],
+    ptrdiff_t covariance_2_step,
+    to_state_frame_block_t *WARPOS_GPS_RESTRICT block)
+{
+    rows_to_lanes(count, observer_attitude, observer_attitude_step, 4,
+        WARPOS_GPS_TO_STATE_FRAME_LANES, block->observer_attitude);
+    rows_to_lanes(count, receiver_position, receiver_position_step, 3,
+        WARPOS_GPS_TO_STATE_FRAME_LANES, block->receiver_position);
+    rows_to_lanes(count, origin_offset, origin_offset_step, 3, WARPOS_GPS_TO_STATE_FRAME_LANES,
+        block->origin_offset);
+    rows_to_lanes(count, attitude, attitude_step, 4, WARPOS_GPS_TO_STATE_FRAME_LANES,
+        block->attitude);
+    rows_to_lanes(count, lever_arm, lever_arm_step, 3, WARPOS_GPS_TO_STATE_FRAME_LANES,
+        block->lever_arm);
+    rows_to_lanes(count, covariance_2, covariance_2_step, 9, WARPOS_GPS_TO_STATE_FRAME_LANES,
+        block->covariance_2);
 }
 
 warpos_gps_status_t warpos_gps_to_state_frame_batch(
@@ -160,33 +287,28 @@ warpos_gps_status_t warpos_gps_to_state_frame_batch(
         (attitude != NULL) && (lever_arm != NULL) && (covariance_2 != NULL) && (value != NULL) &&
         (value_covariance != NULL) && (status != NULL)) {
         to_state_frame_block_t block;
-        int32_t count;
 
         result = (epochs < 0) ? WARPOS_GPS_COUNT : WARPOS_GPS_OK;
-        for (ptrdiff_t first = 0; first < epochs; first += count) {
+        for (ptrdiff_t first = 0; first < epochs; first += WARPOS_GPS_TO_STATE_FRAME_LANES) {
             const ptrdiff_t rest = epochs - first;
-
-            count = (rest < WARPOS_GPS_TO_STATE_FRAME_LANES) ? (int32_t)rest :
+            const int32_t count = (rest < WARPOS_GPS_TO_STATE_FRAME_LANES) ? (int32_t)rest :
                 WARPOS_GPS_TO_STATE_FRAME_LANES;
-                to_state_frame_lanes(count, &observer_attitude[first * observer_attitude_step],
-                    observer_attitude_step, &receiver_position[first * receiver_position_step],
-                    receiver_position_step, &origin_offset[first * origin_offset_step],
-                    origin_offset_step, &attitude[first * attitude_step], attitude_step,
-                    &lever_arm[first * lever_arm_step], lever_arm_step,
-                    &covariance_2[first * covariance_2_step], covariance_2_step, &block);
-            for (int32_t lane = 0; lane < count; ++lane) {
-                const ptrdiff_t epoch = first + lane;
 
-                status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)WARPOS_GPS_OK) {
-                    to_state_frame_fill_value(&block.value[lane], WARPOS_GPS_TO_STATE_FRAME_LANES,
-                        &value[3 * epoch]);
-                    to_state_frame_fill_value_covariance(&block.value_covariance[lane],
-                        WARPOS_GPS_TO_STATE_FRAME_LANES, &value_covariance[9 * epoch]);
-                } else {
-                    result = WARPOS_GPS_PARTIAL;
-                }
-            }
+            to_state_frame_gather(count, &observer_attitude[first * observer_attitude_step],
+                observer_attitude_step, &receiver_position[first * receiver_position_step],
+                receiver_position_step, &origin_offset[first * origin_offset_step],
+                origin_offset_step, &attitude[first * attitude_step], attitude_step,
+                &lever_arm[first * lever_arm_step], lever_arm_step,
+                &covariance_2[first * covariance_2_step], covariance_2_step, &block);
+            const warpos_gps_status_t outcome = to_state_frame_block(count, block.observer_attitude,
+                block.receiver_position, block.origin_offset, block.attitude, block.lever_arm,
+                block.covariance_2, block.value, block.value_covariance, &status[first]);
+
+            result = (outcome == WARPOS_GPS_OK) ? result : outcome;
+            lanes_to_rows(count, &status[first], block.value, 3, WARPOS_GPS_TO_STATE_FRAME_LANES,
+                &value[3 * first]);
+            lanes_to_rows(count, &status[first], block.value_covariance, 9,
+                WARPOS_GPS_TO_STATE_FRAME_LANES, &value_covariance[9 * first]);
         }
     }
     return result;

@@ -55,6 +55,7 @@ WARPOS_GPS_INLINE flag_t to_state_frame_load(
     const warpos_gps_real_t attitude[],
     const warpos_gps_real_t lever_arm[],
     const warpos_gps_real_t covariance_2[],
+    int32_t stride,
     to_state_frame_input_t *in)
 {
     flag_t outside = 0U;
@@ -62,48 +63,87 @@ WARPOS_GPS_INLINE flag_t to_state_frame_load(
 
     /* observer_attitude [ref -> f] */
     outside |= take_centred(observer_attitude[0], 1.00001, &in->observer_attitude_w);
-    outside |= take_centred(observer_attitude[1], 1.00001, &in->observer_attitude_x);
-    outside |= take_centred(observer_attitude[2], 1.00001, &in->observer_attitude_y);
-    outside |= take_centred(observer_attitude[3], 1.00001, &in->observer_attitude_z);
+    outside |= take_centred(observer_attitude[stride], 1.00001, &in->observer_attitude_x);
+    outside |= take_centred(observer_attitude[2 * stride], 1.00001, &in->observer_attitude_y);
+    outside |= take_centred(observer_attitude[3 * stride], 1.00001, &in->observer_attitude_z);
     skewed |= is_skewed_quaternion(in->observer_attitude_w, in->observer_attitude_x,
         in->observer_attitude_y, in->observer_attitude_z, 1.0e-05);
 
     /* receiver_position [m, in ref] */
     outside |= take_centred(receiver_position[0], 1000000000.0, &in->receiver_position_x);
-    outside |= take_centred(receiver_position[1], 1000000000.0, &in->receiver_position_y);
-    outside |= take_centred(receiver_position[2], 1000000000.0, &in->receiver_position_z);
+    outside |= take_centred(receiver_position[stride], 1000000000.0, &in->receiver_position_y);
+    outside |= take_centred(receiver_position[2 * stride], 1000000000.0, &in->receiver_position_z);
 
     /* origin_offset [m, in f] */
     outside |= take_centred(origin_offset[0], 1000000000.0, &in->origin_offset_x);
-    outside |= take_centred(origin_offset[1], 1000000000.0, &in->origin_offset_y);
-    outside |= take_centred(origin_offset[2], 1000000000.0, &in->origin_offset_z);
+    outside |= take_centred(origin_offset[stride], 1000000000.0, &in->origin_offset_y);
+    outside |= take_centred(origin_offset[2 * stride], 1000000000.0, &in->origin_offset_z);
 
     /* attitude [body -> f] */
     outside |= take_centred(attitude[0], 1.00001, &in->attitude_w);
-    outside |= take_centred(attitude[1], 1.00001, &in->attitude_x);
-    outside |= take_centred(attitude[2], 1.00001, &in->attitude_y);
-    outside |= take_centred(attitude[3], 1.00001, &in->attitude_z);
+    outside |= take_centred(attitude[stride], 1.00001, &in->attitude_x);
+    outside |= take_centred(attitude[2 * stride], 1.00001, &in->attitude_y);
+    outside |= take_centred(attitude[3 * stride], 1.00001, &in->attitude_z);
     skewed |= is_skewed_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z,
         1.0e-05);
 
     /* lever_arm [m, in body] */
     outside |= take_centred(lever_arm[0], 100.0, &in->lever_arm_x);
-    outside |= take_centred(lever_arm[1], 100.0, &in->lever_arm_y);
-    outside |= take_centred(lever_arm[2], 100.0, &in->lever_arm_z);
+    outside |= take_centred(lever_arm[stride], 100.0, &in->lever_arm_y);
+    outside |= take_centred(lever_arm[2 * stride], 100.0, &in->lever_arm_z);
 
     /* covariance [m^2] */
     outside |= take_centred(covariance_2[0], 1000000000000.0, &in->covariance_2_0);
-    outside |= take_centred(covariance_2[1], 1000000000000.0, &in->covariance_2_1);
-    outside |= take_centred(covariance_2[2], 1000000000000.0, &in->covariance_2_2);
-    outside |= take_centred(covariance_2[3], 1000000000000.0, &in->covariance_2_3);
-    outside |= take_centred(covariance_2[4], 1000000000000.0, &in->covariance_2_4);
-    outside |= take_centred(covariance_2[5], 1000000000000.0, &in->covariance_2_5);
-    outside |= take_centred(covariance_2[6], 1000000000000.0, &in->covariance_2_6);
-    outside |= take_centred(covariance_2[7], 1000000000000.0, &in->covariance_2_7);
-    outside |= take_centred(covariance_2[8], 1000000000000.0, &in->covariance_2_8);
+    outside |= take_centred(covariance_2[stride], 1000000000000.0, &in->covariance_2_1);
+    outside |= take_centred(covariance_2[2 * stride], 1000000000000.0, &in->covariance_2_2);
+    outside |= take_centred(covariance_2[3 * stride], 1000000000000.0, &in->covariance_2_3);
+    outside |= take_centred(covariance_2[4 * stride], 1000000000000.0, &in->covariance_2_4);
+    outside |= take_centred(covariance_2[5 * stride], 1000000000000.0, &in->covariance_2_5);
+    outside |= take_centred(covariance_2[6 * stride], 1000000000000.0, &in->covariance_2_6);
+    outside |= take_centred(covariance_2[7 * stride], 1000000000000.0, &in->covariance_2_7);
+    outside |= take_centred(covariance_2[8 * stride], 1000000000000.0, &in->covariance_2_8);
 
     return (outside != 0U) ? (flag_t)WARPOS_GPS_RANGE :
         ((skewed != 0U) ? (flag_t)WARPOS_GPS_QNORM : (flag_t)WARPOS_GPS_OK);
+}
+
+/* Copy the inputs of one call that has passed its checks. */
+WARPOS_GPS_INLINE void to_state_frame_copy(
+    const warpos_gps_real_t observer_attitude[],
+    const warpos_gps_real_t receiver_position[],
+    const warpos_gps_real_t origin_offset[],
+    const warpos_gps_real_t attitude[],
+    const warpos_gps_real_t lever_arm[],
+    const warpos_gps_real_t covariance_2[],
+    int32_t stride,
+    to_state_frame_input_t *in)
+{
+    in->observer_attitude_w = observer_attitude[0];
+    in->observer_attitude_x = observer_attitude[stride];
+    in->observer_attitude_y = observer_attitude[2 * stride];
+    in->observer_attitude_z = observer_attitude[3 * stride];
+    in->receiver_position_x = receiver_position[0];
+    in->receiver_position_y = receiver_position[stride];
+    in->receiver_position_z = receiver_position[2 * stride];
+    in->origin_offset_x = origin_offset[0];
+    in->origin_offset_y = origin_offset[stride];
+    in->origin_offset_z = origin_offset[2 * stride];
+    in->attitude_w = attitude[0];
+    in->attitude_x = attitude[stride];
+    in->attitude_y = attitude[2 * stride];
+    in->attitude_z = attitude[3 * stride];
+    in->lever_arm_x = lever_arm[0];
+    in->lever_arm_y = lever_arm[stride];
+    in->lever_arm_z = lever_arm[2 * stride];
+    in->covariance_2_0 = covariance_2[0];
+    in->covariance_2_1 = covariance_2[stride];
+    in->covariance_2_2 = covariance_2[2 * stride];
+    in->covariance_2_3 = covariance_2[3 * stride];
+    in->covariance_2_4 = covariance_2[4 * stride];
+    in->covariance_2_5 = covariance_2[5 * stride];
+    in->covariance_2_6 = covariance_2[6 * stride];
+    in->covariance_2_7 = covariance_2[7 * stride];
+    in->covariance_2_8 = covariance_2[8 * stride];
 }
 
 /* Receiver position transformed to the state's frame and origin: values and structural non-

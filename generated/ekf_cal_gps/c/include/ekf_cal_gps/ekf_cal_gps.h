@@ -16,6 +16,9 @@ extern "C" {
 
 /* Interface begins. */
 
+/** Epochs in one block of ekf_cal_gps_retract. */
+#define EKF_CAL_GPS_RETRACT_LANES 16
+
 /**
  * @brief State moved by an error.
  *
@@ -74,6 +77,40 @@ ekf_cal_gps_status_t ekf_cal_gps_retract_batch(
     uint8_t status[EKF_CAL_GPS_RESTRICT]);
 
 /**
+ * @brief State moved by an error: many epochs that lie side by side in blocks.
+ *
+ * See ekf_cal_gps_retract for the equation.
+ * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
+ * EKF_CAL_GPS_RETRACT_LANES + l]; epoch e is lane e % EKF_CAL_GPS_RETRACT_LANES of block e /
+ * EKF_CAL_GPS_RETRACT_LANES. Lanes behind the last epoch are neither read nor written, nor are
+ * outputs of an epoch whose status is not OK.
+ *
+ * @param[in]   epochs  Number of epochs.
+ * @param[in]   x       [blocks x 22 x EKF_CAL_GPS_RETRACT_LANES] State vector; its blocks, units
+ *                      and ranges stand in the header of the types.
+ * @param[in]   d       [blocks x 21 x EKF_CAL_GPS_RETRACT_LANES] [21] m in l: Error of position;
+ *                      range -1e+09 to 1e+09. m/s in l: Error of velocity; range -1e+09 to 1e+09.
+ *                      m/s^2 in l: Error of acceleration; range -1e+09 to 1e+09. rad in b: Error of
+ *                      attitude; range -6 to 6. rad/s in l: Error of angular_rate; range -1e+09 to
+ *                      1e+09. rad/s^2 in l: Error of angular_acceleration; range -1e+09 to 1e+09. m
+ *                      in b: Error of antenna; range -1e+09 to 1e+09.
+ * @param[out]  value   [blocks x 22 x EKF_CAL_GPS_RETRACT_LANES] [22] Value of the equation.
+ * @param[out]  status  Status of every epoch, one byte each, in the order of the epochs.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+ekf_cal_gps_status_t ekf_cal_gps_retract_blocks(
+    int32_t epochs,
+    const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t d[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t value[EKF_CAL_GPS_RESTRICT],
+    uint8_t status[EKF_CAL_GPS_RESTRICT]);
+
+/** Epochs in one block of ekf_cal_gps_local. */
+#define EKF_CAL_GPS_LOCAL_LANES 16
+
+/**
  * @brief Error between two states.
  *
  *     value = y (-) x, so that x (+) value = y
@@ -125,6 +162,39 @@ ekf_cal_gps_status_t ekf_cal_gps_local_batch(
     int32_t y_step,
     ekf_cal_gps_real_t value[EKF_CAL_GPS_RESTRICT],
     uint8_t status[EKF_CAL_GPS_RESTRICT]);
+
+/**
+ * @brief Error between two states: many epochs that lie side by side in blocks.
+ *
+ * See ekf_cal_gps_local for the equation.
+ * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
+ * EKF_CAL_GPS_LOCAL_LANES + l]; epoch e is lane e % EKF_CAL_GPS_LOCAL_LANES of block e /
+ * EKF_CAL_GPS_LOCAL_LANES. Lanes behind the last epoch are neither read nor written, nor are
+ * outputs of an epoch whose status is not OK.
+ *
+ * @param[in]   epochs  Number of epochs.
+ * @param[in]   x       [blocks x 22 x EKF_CAL_GPS_LOCAL_LANES] State vector; its blocks, units and
+ *                      ranges stand in the header of the types.
+ * @param[in]   y       [blocks x 22 x EKF_CAL_GPS_LOCAL_LANES] [22] m in l: range -1e+06 to 1e+06.
+ *                      m/s in l: range -1e+09 to 1e+09. m/s^2 in l: range -1e+09 to 1e+09. b -> l:
+ *                      unit quaternion, order w x y z, q.q = 1 within 1e-05. rad/s in l: range
+ *                      -1e+09 to 1e+09. rad/s^2 in l: range -1e+09 to 1e+09. m in b: range -50 to
+ *                      50.
+ * @param[out]  value   [blocks x 21 x EKF_CAL_GPS_LOCAL_LANES] [21] Value of the equation.
+ * @param[out]  status  Status of every epoch, one byte each, in the order of the epochs.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+ekf_cal_gps_status_t ekf_cal_gps_local_blocks(
+    int32_t epochs,
+    const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t y[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t value[EKF_CAL_GPS_RESTRICT],
+    uint8_t status[EKF_CAL_GPS_RESTRICT]);
+
+/** Epochs in one block of ekf_cal_gps_gps. */
+#define EKF_CAL_GPS_GPS_LANES 32
 
 /** Structural non-zeros of jacobian of ekf_cal_gps_gps. */
 #define EKF_CAL_GPS_GPS_JACOBIAN_NNZ 21
@@ -262,6 +332,73 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_batch(
     ekf_cal_gps_real_t residual[EKF_CAL_GPS_RESTRICT],
     ekf_cal_gps_real_t jacobian[EKF_CAL_GPS_RESTRICT],
     uint8_t status[EKF_CAL_GPS_RESTRICT]);
+
+/**
+ * @brief Position of a GNSS antenna: values and structural non-zeros of many epochs.
+ *
+ * See ekf_cal_gps_gps for the equation.
+ *
+ * @param[in]   epochs         Number of epochs.
+ * @param[in]   x              State vector; its blocks, units and ranges stand in the header of the
+ *                             types.
+ * @param[in]   x_step         Elements from one epoch of x to the next; 0 for the same.
+ * @param[in]   measured       [3] m in l: Measured value; range -1e+09 to 1e+09.
+ * @param[in]   measured_step  Elements from one epoch of measured to the next; 0 for the same.
+ * @param[out]  value          As in one call, epoch after epoch, by row: [epochs x 3].
+ * @param[out]  residual       As in one call, epoch after epoch, by row: [epochs x 3].
+ * @param[out]  jacobian_nz    [epochs x 21] Structural non-zeros of jacobian, in the order of the
+ *                             tables.
+ * @param[out]  status         Status of every epoch, one byte each.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+ekf_cal_gps_status_t ekf_cal_gps_gps_batch_nz(
+    int32_t epochs,
+    const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT],
+    int32_t x_step,
+    const ekf_cal_gps_real_t measured[EKF_CAL_GPS_RESTRICT],
+    int32_t measured_step,
+    ekf_cal_gps_real_t value[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t residual[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t jacobian_nz[EKF_CAL_GPS_RESTRICT],
+    uint8_t status[EKF_CAL_GPS_RESTRICT]);
+
+/**
+ * @brief Position of a GNSS antenna: many epochs that lie side by side in blocks.
+ *
+ * See ekf_cal_gps_gps for the equation.
+ * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
+ * EKF_CAL_GPS_GPS_LANES + l]; epoch e is lane e % EKF_CAL_GPS_GPS_LANES of block e /
+ * EKF_CAL_GPS_GPS_LANES. Lanes behind the last epoch are neither read nor written, nor are outputs
+ * of an epoch whose status is not OK.
+ *
+ * @param[in]   epochs       Number of epochs.
+ * @param[in]   x            [blocks x 22 x EKF_CAL_GPS_GPS_LANES] State vector; its blocks, units
+ *                           and ranges stand in the header of the types.
+ * @param[in]   measured     [blocks x 3 x EKF_CAL_GPS_GPS_LANES] [3] m in l: Measured value; range
+ *                           -1e+09 to 1e+09.
+ * @param[out]  value        [blocks x 3 x EKF_CAL_GPS_GPS_LANES] [3] m in l: Value of the equation.
+ * @param[out]  residual     [blocks x 3 x EKF_CAL_GPS_GPS_LANES] [3] m in l: Measured less
+ *                           predicted value.
+ * @param[out]  jacobian_nz  [blocks x 21 x EKF_CAL_GPS_GPS_LANES] The 21 structural non-zeros of
+ *                           jacobian, in the order of the tables.
+ * @param[out]  status       Status of every epoch, one byte each, in the order of the epochs.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+ekf_cal_gps_status_t ekf_cal_gps_gps_blocks(
+    int32_t epochs,
+    const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t measured[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t value[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t residual[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t jacobian_nz[EKF_CAL_GPS_RESTRICT],
+    uint8_t status[EKF_CAL_GPS_RESTRICT]);
+
+/** Epochs in one block of ekf_cal_gps_gps_known_antenna. */
+#define EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES 32
 
 /** Structural non-zeros of jacobian of ekf_cal_gps_gps_known_antenna. */
 #define EKF_CAL_GPS_GPS_KNOWN_ANTENNA_JACOBIAN_NNZ 12
@@ -414,6 +551,82 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_batch(
     ekf_cal_gps_real_t residual[EKF_CAL_GPS_RESTRICT],
     ekf_cal_gps_real_t jacobian[EKF_CAL_GPS_RESTRICT],
     uint8_t status[EKF_CAL_GPS_RESTRICT]);
+
+/**
+ * @brief Position of a GNSS antenna: values and structural non-zeros of many epochs.
+ *
+ * See ekf_cal_gps_gps_known_antenna for the equation.
+ *
+ * @param[in]   epochs          Number of epochs.
+ * @param[in]   x               State vector; its blocks, units and ranges stand in the header of
+ *                              the types.
+ * @param[in]   x_step          Elements from one epoch of x to the next; 0 for the same.
+ * @param[in]   lever_arm       [3] m in b: Antenna from the body origin, in the body frame; range
+ *                              -100 to 100.
+ * @param[in]   lever_arm_step  Elements from one epoch of lever_arm to the next; 0 for the same.
+ * @param[in]   measured        [3] m in l: Measured value; range -1e+09 to 1e+09.
+ * @param[in]   measured_step   Elements from one epoch of measured to the next; 0 for the same.
+ * @param[out]  value           As in one call, epoch after epoch, by row: [epochs x 3].
+ * @param[out]  residual        As in one call, epoch after epoch, by row: [epochs x 3].
+ * @param[out]  jacobian_nz     [epochs x 12] Structural non-zeros of jacobian, in the order of the
+ *                              tables.
+ * @param[out]  status          Status of every epoch, one byte each.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_batch_nz(
+    int32_t epochs,
+    const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT],
+    int32_t x_step,
+    const ekf_cal_gps_real_t lever_arm[EKF_CAL_GPS_RESTRICT],
+    int32_t lever_arm_step,
+    const ekf_cal_gps_real_t measured[EKF_CAL_GPS_RESTRICT],
+    int32_t measured_step,
+    ekf_cal_gps_real_t value[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t residual[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t jacobian_nz[EKF_CAL_GPS_RESTRICT],
+    uint8_t status[EKF_CAL_GPS_RESTRICT]);
+
+/**
+ * @brief Position of a GNSS antenna: many epochs that lie side by side in blocks.
+ *
+ * See ekf_cal_gps_gps_known_antenna for the equation.
+ * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
+ * EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES + l]; epoch e is lane e % EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES
+ * of block e / EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES. Lanes behind the last epoch are neither read
+ * nor written, nor are outputs of an epoch whose status is not OK.
+ *
+ * @param[in]   epochs       Number of epochs.
+ * @param[in]   x            [blocks x 22 x EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES] State vector; its
+ *                           blocks, units and ranges stand in the header of the types.
+ * @param[in]   lever_arm    [blocks x 3 x EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES] [3] m in b: Antenna
+ *                           from the body origin, in the body frame; range -100 to 100.
+ * @param[in]   measured     [blocks x 3 x EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES] [3] m in l: Measured
+ *                           value; range -1e+09 to 1e+09.
+ * @param[out]  value        [blocks x 3 x EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES] [3] m in l: Value of
+ *                           the equation.
+ * @param[out]  residual     [blocks x 3 x EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES] [3] m in l: Measured
+ *                           less predicted value.
+ * @param[out]  jacobian_nz  [blocks x 12 x EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES] The 12 structural
+ *                           non-zeros of jacobian, in the order of the tables.
+ * @param[out]  status       Status of every epoch, one byte each, in the order of the epochs.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_blocks(
+    int32_t epochs,
+    const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t lever_arm[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t measured[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t value[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t residual[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t jacobian_nz[EKF_CAL_GPS_RESTRICT],
+    uint8_t status[EKF_CAL_GPS_RESTRICT]);
+
+/** Epochs in one block of ekf_cal_gps_local_fix. */
+#define EKF_CAL_GPS_LOCAL_FIX_LANES 32
 
 /** Structural non-zeros of jacobian_fix of ekf_cal_gps_local_fix. */
 #define EKF_CAL_GPS_LOCAL_FIX_JACOBIAN_FIX_NNZ 9
@@ -586,6 +799,93 @@ ekf_cal_gps_status_t ekf_cal_gps_local_fix_batch(
     int32_t covariance_2_step,
     ekf_cal_gps_real_t value[EKF_CAL_GPS_RESTRICT],
     ekf_cal_gps_real_t jacobian_fix[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t value_covariance[EKF_CAL_GPS_RESTRICT],
+    uint8_t status[EKF_CAL_GPS_RESTRICT]);
+
+/**
+ * @brief Local-level position of a geodetic fix: values and structural non-zeros of many epochs.
+ *
+ * See ekf_cal_gps_local_fix for the equation.
+ *
+ * @param[in]   epochs             Number of epochs.
+ * @param[in]   heading            [1] rad g -> l: Heading of the local frame; range -3.14159 to
+ *                                 3.14159.
+ * @param[in]   heading_step       Elements from one epoch of heading to the next; 0 for the same.
+ * @param[in]   fix                [3] rad: Latitude, longitude, height of the fix; range -1.56905
+ *                                 to 1.56905, -3.14159 to 3.14159, -10000 to 1e+07.
+ * @param[in]   fix_step           Elements from one epoch of fix to the next; 0 for the same.
+ * @param[in]   reference_2        [3] rad: Latitude, longitude, height of the local origin; range
+ *                                 -1.56905 to 1.56905, -3.14159 to 3.14159, -10000 to 1e+07.
+ * @param[in]   reference_2_step   Elements from one epoch of reference_2 to the next; 0 for the
+ *                                 same.
+ * @param[in]   covariance_2       [9] Covariance of latitude, longitude (rad^2), height (m^2),
+ *                                 row-major; range -1e+12 to 1e+12.
+ * @param[in]   covariance_2_step  Elements from one epoch of covariance_2 to the next; 0 for the
+ *                                 same.
+ * @param[out]  value              As in one call, epoch after epoch, by row: [epochs x 3].
+ * @param[out]  jacobian_fix_nz    [epochs x 9] Structural non-zeros of jacobian_fix, in the order
+ *                                 of the tables.
+ * @param[out]  value_covariance   As in one call, epoch after epoch, by row: [epochs x 9].
+ * @param[out]  status             Status of every epoch, one byte each.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+ekf_cal_gps_status_t ekf_cal_gps_local_fix_batch_nz(
+    int32_t epochs,
+    const ekf_cal_gps_real_t heading[EKF_CAL_GPS_RESTRICT],
+    int32_t heading_step,
+    const ekf_cal_gps_real_t fix[EKF_CAL_GPS_RESTRICT],
+    int32_t fix_step,
+    const ekf_cal_gps_real_t reference_2[EKF_CAL_GPS_RESTRICT],
+    int32_t reference_2_step,
+    const ekf_cal_gps_real_t covariance_2[EKF_CAL_GPS_RESTRICT],
+    int32_t covariance_2_step,
+    ekf_cal_gps_real_t value[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t jacobian_fix_nz[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t value_covariance[EKF_CAL_GPS_RESTRICT],
+    uint8_t status[EKF_CAL_GPS_RESTRICT]);
+
+/**
+ * @brief Local-level position of a geodetic fix: many epochs that lie side by side in blocks.
+ *
+ * See ekf_cal_gps_local_fix for the equation.
+ * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
+ * EKF_CAL_GPS_LOCAL_FIX_LANES + l]; epoch e is lane e % EKF_CAL_GPS_LOCAL_FIX_LANES of block e /
+ * EKF_CAL_GPS_LOCAL_FIX_LANES. Lanes behind the last epoch are neither read nor written, nor are
+ * outputs of an epoch whose status is not OK.
+ *
+ * @param[in]   epochs            Number of epochs.
+ * @param[in]   heading           [blocks x 1 x EKF_CAL_GPS_LOCAL_FIX_LANES] [1] rad g -> l: Heading
+ *                                of the local frame; range -3.14159 to 3.14159.
+ * @param[in]   fix               [blocks x 3 x EKF_CAL_GPS_LOCAL_FIX_LANES] [3] rad: Latitude,
+ *                                longitude, height of the fix; range -1.56905 to 1.56905, -3.14159
+ *                                to 3.14159, -10000 to 1e+07.
+ * @param[in]   reference_2       [blocks x 3 x EKF_CAL_GPS_LOCAL_FIX_LANES] [3] rad: Latitude,
+ *                                longitude, height of the local origin; range -1.56905 to 1.56905,
+ *                                -3.14159 to 3.14159, -10000 to 1e+07.
+ * @param[in]   covariance_2      [blocks x 9 x EKF_CAL_GPS_LOCAL_FIX_LANES] [9] Covariance of
+ *                                latitude, longitude (rad^2), height (m^2), row-major; range -1e+12
+ *                                to 1e+12.
+ * @param[out]  value             [blocks x 3 x EKF_CAL_GPS_LOCAL_FIX_LANES] [3] m in l: Value of
+ *                                the equation.
+ * @param[out]  jacobian_fix_nz   [blocks x 9 x EKF_CAL_GPS_LOCAL_FIX_LANES] The 9 structural
+ *                                non-zeros of jacobian_fix, in the order of the tables.
+ * @param[out]  value_covariance  [blocks x 9 x EKF_CAL_GPS_LOCAL_FIX_LANES] [9] m^2: Covariance of
+ *                                the value, row-major.
+ * @param[out]  status            Status of every epoch, one byte each, in the order of the epochs.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+ekf_cal_gps_status_t ekf_cal_gps_local_fix_blocks(
+    int32_t epochs,
+    const ekf_cal_gps_real_t heading[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t fix[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t reference_2[EKF_CAL_GPS_RESTRICT],
+    const ekf_cal_gps_real_t covariance_2[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t value[EKF_CAL_GPS_RESTRICT],
+    ekf_cal_gps_real_t jacobian_fix_nz[EKF_CAL_GPS_RESTRICT],
     ekf_cal_gps_real_t value_covariance[EKF_CAL_GPS_RESTRICT],
     uint8_t status[EKF_CAL_GPS_RESTRICT]);
 

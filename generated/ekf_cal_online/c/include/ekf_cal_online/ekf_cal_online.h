@@ -16,6 +16,9 @@ extern "C" {
 
 /* Interface begins. */
 
+/** Epochs in one block of ekf_cal_online_retract. */
+#define EKF_CAL_ONLINE_RETRACT_LANES 16
+
 /**
  * @brief State moved by an error.
  *
@@ -76,6 +79,41 @@ ekf_cal_online_status_t ekf_cal_online_retract_batch(
     uint8_t status[EKF_CAL_ONLINE_RESTRICT]);
 
 /**
+ * @brief State moved by an error: many epochs that lie side by side in blocks.
+ *
+ * See ekf_cal_online_retract for the equation.
+ * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
+ * EKF_CAL_ONLINE_RETRACT_LANES + l]; epoch e is lane e % EKF_CAL_ONLINE_RETRACT_LANES of block e /
+ * EKF_CAL_ONLINE_RETRACT_LANES. Lanes behind the last epoch are neither read nor written, nor are
+ * outputs of an epoch whose status is not OK.
+ *
+ * @param[in]   epochs  Number of epochs.
+ * @param[in]   x       [blocks x 26 x EKF_CAL_ONLINE_RETRACT_LANES] State vector; its blocks, units
+ *                      and ranges stand in the header of the types.
+ * @param[in]   d       [blocks x 25 x EKF_CAL_ONLINE_RETRACT_LANES] [25] m in l: Error of position;
+ *                      range -1e+09 to 1e+09. m/s in l: Error of velocity; range -1e+09 to 1e+09.
+ *                      m/s^2 in l: Error of acceleration; range -1e+09 to 1e+09. rad in b: Error of
+ *                      attitude; range -6 to 6. rad/s in l: Error of angular_rate; range -1e+09 to
+ *                      1e+09. rad/s^2 in l: Error of angular_acceleration; range -1e+09 to 1e+09.
+ *                      rad: Error of heading; range -6 to 6. m in b: Error of antenna_1; range
+ *                      -1e+09 to 1e+09. m in b: Error of antenna_2; range -1e+09 to 1e+09.
+ * @param[out]  value   [blocks x 26 x EKF_CAL_ONLINE_RETRACT_LANES] [26] Value of the equation.
+ * @param[out]  status  Status of every epoch, one byte each, in the order of the epochs.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+ekf_cal_online_status_t ekf_cal_online_retract_blocks(
+    int32_t epochs,
+    const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT],
+    const ekf_cal_online_real_t d[EKF_CAL_ONLINE_RESTRICT],
+    ekf_cal_online_real_t value[EKF_CAL_ONLINE_RESTRICT],
+    uint8_t status[EKF_CAL_ONLINE_RESTRICT]);
+
+/** Epochs in one block of ekf_cal_online_local. */
+#define EKF_CAL_ONLINE_LOCAL_LANES 16
+
+/**
  * @brief Error between two states.
  *
  *     value = y (-) x, so that x (+) value = y
@@ -129,6 +167,39 @@ ekf_cal_online_status_t ekf_cal_online_local_batch(
     int32_t y_step,
     ekf_cal_online_real_t value[EKF_CAL_ONLINE_RESTRICT],
     uint8_t status[EKF_CAL_ONLINE_RESTRICT]);
+
+/**
+ * @brief Error between two states: many epochs that lie side by side in blocks.
+ *
+ * See ekf_cal_online_local for the equation.
+ * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
+ * EKF_CAL_ONLINE_LOCAL_LANES + l]; epoch e is lane e % EKF_CAL_ONLINE_LOCAL_LANES of block e /
+ * EKF_CAL_ONLINE_LOCAL_LANES. Lanes behind the last epoch are neither read nor written, nor are
+ * outputs of an epoch whose status is not OK.
+ *
+ * @param[in]   epochs  Number of epochs.
+ * @param[in]   x       [blocks x 26 x EKF_CAL_ONLINE_LOCAL_LANES] State vector; its blocks, units
+ *                      and ranges stand in the header of the types.
+ * @param[in]   y       [blocks x 26 x EKF_CAL_ONLINE_LOCAL_LANES] [26] m in l: range -1e+06 to
+ *                      1e+06. m/s in l: range -1e+09 to 1e+09. m/s^2 in l: range -1e+09 to 1e+09. b
+ *                      -> l: unit quaternion, order w x y z, q.q = 1 within 1e-05. rad/s in l:
+ *                      range -1e+09 to 1e+09. rad/s^2 in l: range -1e+09 to 1e+09. rad g -> l:
+ *                      range -3.14159 to 3.14159. m in b: range -50 to 50. m in b: range -50 to 50.
+ * @param[out]  value   [blocks x 25 x EKF_CAL_ONLINE_LOCAL_LANES] [25] Value of the equation.
+ * @param[out]  status  Status of every epoch, one byte each, in the order of the epochs.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+ekf_cal_online_status_t ekf_cal_online_local_blocks(
+    int32_t epochs,
+    const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT],
+    const ekf_cal_online_real_t y[EKF_CAL_ONLINE_RESTRICT],
+    ekf_cal_online_real_t value[EKF_CAL_ONLINE_RESTRICT],
+    uint8_t status[EKF_CAL_ONLINE_RESTRICT]);
+
+/** Epochs in one block of ekf_cal_online_gps_1. */
+#define EKF_CAL_ONLINE_GPS_1_LANES 16
 
 /** Structural non-zeros of jacobian of ekf_cal_online_gps_1. */
 #define EKF_CAL_ONLINE_GPS_1_JACOBIAN_NNZ 25
@@ -311,6 +382,90 @@ ekf_cal_online_status_t ekf_cal_online_gps_1_batch(
     ekf_cal_online_real_t jacobian_origin[EKF_CAL_ONLINE_RESTRICT],
     uint8_t status[EKF_CAL_ONLINE_RESTRICT]);
 
+/**
+ * @brief Position of a GNSS antenna: values and structural non-zeros of many epochs.
+ *
+ * See ekf_cal_online_gps_1 for the equation.
+ *
+ * @param[in]   epochs              Number of epochs.
+ * @param[in]   x                   State vector; its blocks, units and ranges stand in the header
+ *                                  of the types.
+ * @param[in]   x_step              Elements from one epoch of x to the next; 0 for the same.
+ * @param[in]   origin              [3] m in g: Position of the local frame's origin in the
+ *                                  observer's frame (p_L^G); range -1e+07 to 1e+07.
+ * @param[in]   origin_step         Elements from one epoch of origin to the next; 0 for the same.
+ * @param[in]   measured            [3] m in g: Measured value; range -1e+09 to 1e+09.
+ * @param[in]   measured_step       Elements from one epoch of measured to the next; 0 for the same.
+ * @param[out]  value               As in one call, epoch after epoch, by row: [epochs x 3].
+ * @param[out]  residual            As in one call, epoch after epoch, by row: [epochs x 3].
+ * @param[out]  jacobian_nz         [epochs x 25] Structural non-zeros of jacobian, in the order of
+ *                                  the tables.
+ * @param[out]  jacobian_origin_nz  [epochs x 3] Structural non-zeros of jacobian_origin, in the
+ *                                  order of the tables.
+ * @param[out]  status              Status of every epoch, one byte each.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+ekf_cal_online_status_t ekf_cal_online_gps_1_batch_nz(
+    int32_t epochs,
+    const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT],
+    int32_t x_step,
+    const ekf_cal_online_real_t origin[EKF_CAL_ONLINE_RESTRICT],
+    int32_t origin_step,
+    const ekf_cal_online_real_t measured[EKF_CAL_ONLINE_RESTRICT],
+    int32_t measured_step,
+    ekf_cal_online_real_t value[EKF_CAL_ONLINE_RESTRICT],
+    ekf_cal_online_real_t residual[EKF_CAL_ONLINE_RESTRICT],
+    ekf_cal_online_real_t jacobian_nz[EKF_CAL_ONLINE_RESTRICT],
+    ekf_cal_online_real_t jacobian_origin_nz[EKF_CAL_ONLINE_RESTRICT],
+    uint8_t status[EKF_CAL_ONLINE_RESTRICT]);
+
+/**
+ * @brief Position of a GNSS antenna: many epochs that lie side by side in blocks.
+ *
+ * See ekf_cal_online_gps_1 for the equation.
+ * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
+ * EKF_CAL_ONLINE_GPS_1_LANES + l]; epoch e is lane e % EKF_CAL_ONLINE_GPS_1_LANES of block e /
+ * EKF_CAL_ONLINE_GPS_1_LANES. Lanes behind the last epoch are neither read nor written, nor are
+ * outputs of an epoch whose status is not OK.
+ *
+ * @param[in]   epochs              Number of epochs.
+ * @param[in]   x                   [blocks x 26 x EKF_CAL_ONLINE_GPS_1_LANES] State vector; its
+ *                                  blocks, units and ranges stand in the header of the types.
+ * @param[in]   origin              [blocks x 3 x EKF_CAL_ONLINE_GPS_1_LANES] [3] m in g: Position
+ *                                  of the local frame's origin in the observer's frame (p_L^G);
+ *                                  range -1e+07 to 1e+07.
+ * @param[in]   measured            [blocks x 3 x EKF_CAL_ONLINE_GPS_1_LANES] [3] m in g: Measured
+ *                                  value; range -1e+09 to 1e+09.
+ * @param[out]  value               [blocks x 3 x EKF_CAL_ONLINE_GPS_1_LANES] [3] m in g: Value of
+ *                                  the equation.
+ * @param[out]  residual            [blocks x 3 x EKF_CAL_ONLINE_GPS_1_LANES] [3] m in g: Measured
+ *                                  less predicted value.
+ * @param[out]  jacobian_nz         [blocks x 25 x EKF_CAL_ONLINE_GPS_1_LANES] The 25 structural
+ *                                  non-zeros of jacobian, in the order of the tables.
+ * @param[out]  jacobian_origin_nz  [blocks x 3 x EKF_CAL_ONLINE_GPS_1_LANES] The 3 structural
+ *                                  non-zeros of jacobian_origin, in the order of the tables.
+ * @param[out]  status              Status of every epoch, one byte each, in the order of the
+ *                                  epochs.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+ekf_cal_online_status_t ekf_cal_online_gps_1_blocks(
+    int32_t epochs,
+    const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT],
+    const ekf_cal_online_real_t origin[EKF_CAL_ONLINE_RESTRICT],
+    const ekf_cal_online_real_t measured[EKF_CAL_ONLINE_RESTRICT],
+    ekf_cal_online_real_t value[EKF_CAL_ONLINE_RESTRICT],
+    ekf_cal_online_real_t residual[EKF_CAL_ONLINE_RESTRICT],
+    ekf_cal_online_real_t jacobian_nz[EKF_CAL_ONLINE_RESTRICT],
+    ekf_cal_online_real_t jacobian_origin_nz[EKF_CAL_ONLINE_RESTRICT],
+    uint8_t status[EKF_CAL_ONLINE_RESTRICT]);
+
+/** Epochs in one block of ekf_cal_online_gps_2. */
+#define EKF_CAL_ONLINE_GPS_2_LANES 16
+
 /** Structural non-zeros of jacobian of ekf_cal_online_gps_2. */
 #define EKF_CAL_ONLINE_GPS_2_JACOBIAN_NNZ 25
 
@@ -490,6 +645,87 @@ ekf_cal_online_status_t ekf_cal_online_gps_2_batch(
     ekf_cal_online_real_t residual[EKF_CAL_ONLINE_RESTRICT],
     ekf_cal_online_real_t jacobian[EKF_CAL_ONLINE_RESTRICT],
     ekf_cal_online_real_t jacobian_origin[EKF_CAL_ONLINE_RESTRICT],
+    uint8_t status[EKF_CAL_ONLINE_RESTRICT]);
+
+/**
+ * @brief Position of a GNSS antenna: values and structural non-zeros of many epochs.
+ *
+ * See ekf_cal_online_gps_2 for the equation.
+ *
+ * @param[in]   epochs              Number of epochs.
+ * @param[in]   x                   State vector; its blocks, units and ranges stand in the header
+ *                                  of the types.
+ * @param[in]   x_step              Elements from one epoch of x to the next; 0 for the same.
+ * @param[in]   origin              [3] m in g: Position of the local frame's origin in the
+ *                                  observer's frame (p_L^G); range -1e+07 to 1e+07.
+ * @param[in]   origin_step         Elements from one epoch of origin to the next; 0 for the same.
+ * @param[in]   measured            [3] m in g: Measured value; range -1e+09 to 1e+09.
+ * @param[in]   measured_step       Elements from one epoch of measured to the next; 0 for the same.
+ * @param[out]  value               As in one call, epoch after epoch, by row: [epochs x 3].
+ * @param[out]  residual            As in one call, epoch after epoch, by row: [epochs x 3].
+ * @param[out]  jacobian_nz         [epochs x 25] Structural non-zeros of jacobian, in the order of
+ *                                  the tables.
+ * @param[out]  jacobian_origin_nz  [epochs x 3] Structural non-zeros of jacobian_origin, in the
+ *                                  order of the tables.
+ * @param[out]  status              Status of every epoch, one byte each.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+ekf_cal_online_status_t ekf_cal_online_gps_2_batch_nz(
+    int32_t epochs,
+    const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT],
+    int32_t x_step,
+    const ekf_cal_online_real_t origin[EKF_CAL_ONLINE_RESTRICT],
+    int32_t origin_step,
+    const ekf_cal_online_real_t measured[EKF_CAL_ONLINE_RESTRICT],
+    int32_t measured_step,
+    ekf_cal_online_real_t value[EKF_CAL_ONLINE_RESTRICT],
+    ekf_cal_online_real_t residual[EKF_CAL_ONLINE_RESTRICT],
+    ekf_cal_online_real_t jacobian_nz[EKF_CAL_ONLINE_RESTRICT],
+    ekf_cal_online_real_t jacobian_origin_nz[EKF_CAL_ONLINE_RESTRICT],
+    uint8_t status[EKF_CAL_ONLINE_RESTRICT]);
+
+/**
+ * @brief Position of a GNSS antenna: many epochs that lie side by side in blocks.
+ *
+ * See ekf_cal_online_gps_2 for the equation.
+ * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
+ * EKF_CAL_ONLINE_GPS_2_LANES + l]; epoch e is lane e % EKF_CAL_ONLINE_GPS_2_LANES of block e /
+ * EKF_CAL_ONLINE_GPS_2_LANES. Lanes behind the last epoch are neither read nor written, nor are
+ * outputs of an epoch whose status is not OK.
+ *
+ * @param[in]   epochs              Number of epochs.
+ * @param[in]   x                   [blocks x 26 x EKF_CAL_ONLINE_GPS_2_LANES] State vector; its
+ *                                  blocks, units and ranges stand in the header of the types.
+ * @param[in]   origin              [blocks x 3 x EKF_CAL_ONLINE_GPS_2_LANES] [3] m in g: Position
+ *                                  of the local frame's origin in the observer's frame (p_L^G);
+ *                                  range -1e+07 to 1e+07.
+ * @param[in]   measured            [blocks x 3 x EKF_CAL_ONLINE_GPS_2_LANES] [3] m in g: Measured
+ *                                  value; range -1e+09 to 1e+09.
+ * @param[out]  value               [blocks x 3 x EKF_CAL_ONLINE_GPS_2_LANES] [3] m in g: Value of
+ *                                  the equation.
+ * @param[out]  residual            [blocks x 3 x EKF_CAL_ONLINE_GPS_2_LANES] [3] m in g: Measured
+ *                                  less predicted value.
+ * @param[out]  jacobian_nz         [blocks x 25 x EKF_CAL_ONLINE_GPS_2_LANES] The 25 structural
+ *                                  non-zeros of jacobian, in the order of the tables.
+ * @param[out]  jacobian_origin_nz  [blocks x 3 x EKF_CAL_ONLINE_GPS_2_LANES] The 3 structural
+ *                                  non-zeros of jacobian_origin, in the order of the tables.
+ * @param[out]  status              Status of every epoch, one byte each, in the order of the
+ *                                  epochs.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+ekf_cal_online_status_t ekf_cal_online_gps_2_blocks(
+    int32_t epochs,
+    const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT],
+    const ekf_cal_online_real_t origin[EKF_CAL_ONLINE_RESTRICT],
+    const ekf_cal_online_real_t measured[EKF_CAL_ONLINE_RESTRICT],
+    ekf_cal_online_real_t value[EKF_CAL_ONLINE_RESTRICT],
+    ekf_cal_online_real_t residual[EKF_CAL_ONLINE_RESTRICT],
+    ekf_cal_online_real_t jacobian_nz[EKF_CAL_ONLINE_RESTRICT],
+    ekf_cal_online_real_t jacobian_origin_nz[EKF_CAL_ONLINE_RESTRICT],
     uint8_t status[EKF_CAL_ONLINE_RESTRICT]);
 
 /* Interface ends. */

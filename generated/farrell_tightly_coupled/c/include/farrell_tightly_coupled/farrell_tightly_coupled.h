@@ -16,6 +16,9 @@ extern "C" {
 
 /* Interface begins. */
 
+/** Epochs in one block of farrell_tightly_coupled_retract. */
+#define FARRELL_TIGHTLY_COUPLED_RETRACT_LANES 32
+
 /**
  * @brief State moved by an error.
  *
@@ -73,6 +76,41 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_retract_batch(
     uint8_t status[FARRELL_TIGHTLY_COUPLED_RESTRICT]);
 
 /**
+ * @brief State moved by an error: many epochs that lie side by side in blocks.
+ *
+ * See farrell_tightly_coupled_retract for the equation.
+ * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
+ * FARRELL_TIGHTLY_COUPLED_RETRACT_LANES + l]; epoch e is lane e %
+ * FARRELL_TIGHTLY_COUPLED_RETRACT_LANES of block e / FARRELL_TIGHTLY_COUPLED_RETRACT_LANES. Lanes
+ * behind the last epoch are neither read nor written, nor are outputs of an epoch whose status is
+ * not OK.
+ *
+ * @param[in]   epochs  Number of epochs.
+ * @param[in]   x       [blocks x 18 x FARRELL_TIGHTLY_COUPLED_RETRACT_LANES] State vector; its
+ *                      blocks, units and ranges stand in the header of the types.
+ * @param[in]   d       [blocks x 17 x FARRELL_TIGHTLY_COUPLED_RETRACT_LANES] [17] m in n: Error of
+ *                      dp; range -1e+09 to 1e+09. m: Error of b_u; range -1e+09 to 1e+09. m/s in n:
+ *                      Error of dv; range -1e+09 to 1e+09. m/s: Error of b_u_dot; range -1e+09 to
+ *                      1e+09. rad in n: Error of drho; range -6 to 6. m/s^2 in b: Error of x_a;
+ *                      range -1e+09 to 1e+09. rad/s in b: Error of x_g; range -1e+09 to 1e+09.
+ * @param[out]  value   [blocks x 18 x FARRELL_TIGHTLY_COUPLED_RETRACT_LANES] [18] Value of the
+ *                      equation.
+ * @param[out]  status  Status of every epoch, one byte each, in the order of the epochs.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+farrell_tightly_coupled_status_t farrell_tightly_coupled_retract_blocks(
+    int32_t epochs,
+    const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    const farrell_tightly_coupled_real_t d[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    farrell_tightly_coupled_real_t value[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    uint8_t status[FARRELL_TIGHTLY_COUPLED_RESTRICT]);
+
+/** Epochs in one block of farrell_tightly_coupled_local. */
+#define FARRELL_TIGHTLY_COUPLED_LOCAL_LANES 32
+
+/**
  * @brief Error between two states.
  *
  *     value = y (-) x, so that x (+) value = y
@@ -127,6 +165,39 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_local_batch(
     int32_t x_step,
     const farrell_tightly_coupled_real_t y[FARRELL_TIGHTLY_COUPLED_RESTRICT],
     int32_t y_step,
+    farrell_tightly_coupled_real_t value[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    uint8_t status[FARRELL_TIGHTLY_COUPLED_RESTRICT]);
+
+/**
+ * @brief Error between two states: many epochs that lie side by side in blocks.
+ *
+ * See farrell_tightly_coupled_local for the equation.
+ * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
+ * FARRELL_TIGHTLY_COUPLED_LOCAL_LANES + l]; epoch e is lane e % FARRELL_TIGHTLY_COUPLED_LOCAL_LANES
+ * of block e / FARRELL_TIGHTLY_COUPLED_LOCAL_LANES. Lanes behind the last epoch are neither read
+ * nor written, nor are outputs of an epoch whose status is not OK.
+ *
+ * @param[in]   epochs  Number of epochs.
+ * @param[in]   x       [blocks x 18 x FARRELL_TIGHTLY_COUPLED_LOCAL_LANES] State vector; its
+ *                      blocks, units and ranges stand in the header of the types.
+ * @param[in]   y       [blocks x 18 x FARRELL_TIGHTLY_COUPLED_LOCAL_LANES] [18] m in n: Position
+ *                      from the origin of the tangent plane; range -1e+06 to 1e+06. m: Receiver
+ *                      clock bias; range -1e+08 to 1e+08. m/s in n: Velocity; range -1e+09 to
+ *                      1e+09. m/s: Receiver clock drift; range -1e+09 to 1e+09. b -> n: Attitude,
+ *                      whose error the book calls rho; unit quaternion, order w x y z, q.q = 1
+ *                      within 1e-05. m/s^2 in b: Accelerometer bias; range -1e+09 to 1e+09. rad/s
+ *                      in b: Gyro bias; range -1e+09 to 1e+09.
+ * @param[out]  value   [blocks x 17 x FARRELL_TIGHTLY_COUPLED_LOCAL_LANES] [17] Value of the
+ *                      equation.
+ * @param[out]  status  Status of every epoch, one byte each, in the order of the epochs.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+farrell_tightly_coupled_status_t farrell_tightly_coupled_local_blocks(
+    int32_t epochs,
+    const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    const farrell_tightly_coupled_real_t y[FARRELL_TIGHTLY_COUPLED_RESTRICT],
     farrell_tightly_coupled_real_t value[FARRELL_TIGHTLY_COUPLED_RESTRICT],
     uint8_t status[FARRELL_TIGHTLY_COUPLED_RESTRICT]);
 
@@ -382,6 +453,64 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_batch(
     farrell_tightly_coupled_real_t value[FARRELL_TIGHTLY_COUPLED_RESTRICT],
     farrell_tightly_coupled_real_t residual[FARRELL_TIGHTLY_COUPLED_RESTRICT],
     farrell_tightly_coupled_real_t jacobian[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    uint8_t status[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    uint8_t item_status[FARRELL_TIGHTLY_COUPLED_RESTRICT]);
+
+/**
+ * @brief Pseudoranges from the antenna to satellites: values and structural non-zeros of many
+ *        epochs.
+ *
+ * See farrell_tightly_coupled_pseudorange for the equation.
+ *
+ * @param[in]   epochs                   Number of epochs.
+ * @param[in]   x                        State vector; its blocks, units and ranges stand in the
+ *                                       header of the types.
+ * @param[in]   x_step                   Elements from one epoch of x to the next; 0 for the same.
+ * @param[in]   n                        Number of items, at most
+ *                                       FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS.
+ * @param[in]   c_n_e                    [9] n -> e: Attitude of the navigation frame in the
+ *                                       earth-fixed frame; rotation matrix, by row, orthonormal
+ *                                       within 1e-05.
+ * @param[in]   c_n_e_step               Elements from one epoch of c_n_e to the next; 0 for the
+ *                                       same.
+ * @param[in]   origin                   [3] m in e: Origin of the navigation frame, earth-fixed;
+ *                                       range -1e+08 to 1e+08.
+ * @param[in]   origin_step              Elements from one epoch of origin to the next; 0 for the
+ *                                       same.
+ * @param[in]   satellite_position       [n x 3] m in e: Satellite, earth-fixed; range -1e+08 to
+ *                                       1e+08.
+ * @param[in]   satellite_position_step  Elements from one epoch of satellite_position to the next;
+ *                                       0 for the same.
+ * @param[in]   measured                 [n x 1] m: Measured value; range -1e+09 to 1e+09.
+ * @param[in]   measured_step            Elements from one epoch of measured to the next; 0 for the
+ *                                       same.
+ * @param[out]  value                    As in one call, epoch after epoch, by row: [epochs x n].
+ * @param[out]  residual                 As in one call, epoch after epoch, by row: [epochs x n].
+ * @param[out]  jacobian_nz              [epochs x 4 x n] Structural non-zeros of jacobian, in the
+ *                                       order of the tables.
+ * @param[out]  status                   Status of every epoch, one byte each.
+ * @param[out]  item_status              [epochs x n] Status of every item; not written for an epoch
+ *                                       whose inputs shared by all items fail.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_batch_nz(
+    int32_t epochs,
+    const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    int32_t x_step,
+    int32_t n,
+    const farrell_tightly_coupled_real_t c_n_e[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    int32_t c_n_e_step,
+    const farrell_tightly_coupled_real_t origin[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    int32_t origin_step,
+    const farrell_tightly_coupled_real_t satellite_position[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    int32_t satellite_position_step,
+    const farrell_tightly_coupled_real_t measured[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    int32_t measured_step,
+    farrell_tightly_coupled_real_t value[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    farrell_tightly_coupled_real_t residual[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    farrell_tightly_coupled_real_t jacobian_nz[FARRELL_TIGHTLY_COUPLED_RESTRICT],
     uint8_t status[FARRELL_TIGHTLY_COUPLED_RESTRICT],
     uint8_t item_status[FARRELL_TIGHTLY_COUPLED_RESTRICT]);
 
@@ -718,6 +847,63 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_lever_arm_b
     int32_t satellite_position_step,
     farrell_tightly_coupled_real_t value[FARRELL_TIGHTLY_COUPLED_RESTRICT],
     farrell_tightly_coupled_real_t jacobian[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    uint8_t status[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    uint8_t item_status[FARRELL_TIGHTLY_COUPLED_RESTRICT]);
+
+/**
+ * @brief Pseudoranges from the antenna to satellites: values and structural non-zeros of many
+ *        epochs.
+ *
+ * See farrell_tightly_coupled_pseudorange_lever_arm for the equation.
+ *
+ * @param[in]   epochs                   Number of epochs.
+ * @param[in]   x                        State vector; its blocks, units and ranges stand in the
+ *                                       header of the types.
+ * @param[in]   x_step                   Elements from one epoch of x to the next; 0 for the same.
+ * @param[in]   n                        Number of items, at most
+ *                                       FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS.
+ * @param[in]   c_n_e                    [9] n -> e: Attitude of the navigation frame in the
+ *                                       earth-fixed frame; rotation matrix, by row, orthonormal
+ *                                       within 1e-05.
+ * @param[in]   c_n_e_step               Elements from one epoch of c_n_e to the next; 0 for the
+ *                                       same.
+ * @param[in]   origin                   [3] m in e: Origin of the navigation frame, earth-fixed;
+ *                                       range -1e+08 to 1e+08.
+ * @param[in]   origin_step              Elements from one epoch of origin to the next; 0 for the
+ *                                       same.
+ * @param[in]   lever_arm                [3] m in b: Antenna from the body origin, in the body
+ *                                       frame; range -100 to 100.
+ * @param[in]   lever_arm_step           Elements from one epoch of lever_arm to the next; 0 for the
+ *                                       same.
+ * @param[in]   satellite_position       [n x 3] m in e: Satellite, earth-fixed; range -1e+08 to
+ *                                       1e+08.
+ * @param[in]   satellite_position_step  Elements from one epoch of satellite_position to the next;
+ *                                       0 for the same.
+ * @param[out]  value                    As in one call, epoch after epoch, by row: [epochs x n].
+ * @param[out]  jacobian_nz              [epochs x 7 x n] Structural non-zeros of jacobian, in the
+ *                                       order of the tables.
+ * @param[out]  status                   Status of every epoch, one byte each.
+ * @param[out]  item_status              [epochs x n] Status of every item; not written for an epoch
+ *                                       whose inputs shared by all items fail.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_lever_arm_batch_nz(
+    int32_t epochs,
+    const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    int32_t x_step,
+    int32_t n,
+    const farrell_tightly_coupled_real_t c_n_e[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    int32_t c_n_e_step,
+    const farrell_tightly_coupled_real_t origin[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    int32_t origin_step,
+    const farrell_tightly_coupled_real_t lever_arm[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    int32_t lever_arm_step,
+    const farrell_tightly_coupled_real_t satellite_position[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    int32_t satellite_position_step,
+    farrell_tightly_coupled_real_t value[FARRELL_TIGHTLY_COUPLED_RESTRICT],
+    farrell_tightly_coupled_real_t jacobian_nz[FARRELL_TIGHTLY_COUPLED_RESTRICT],
     uint8_t status[FARRELL_TIGHTLY_COUPLED_RESTRICT],
     uint8_t item_status[FARRELL_TIGHTLY_COUPLED_RESTRICT]);
 

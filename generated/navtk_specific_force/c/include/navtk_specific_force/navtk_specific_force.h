@@ -16,6 +16,9 @@ extern "C" {
 
 /* Interface begins. */
 
+/** Epochs in one block of navtk_specific_force_retract. */
+#define NAVTK_SPECIFIC_FORCE_RETRACT_LANES 32
+
 /**
  * @brief State moved by an error.
  *
@@ -71,6 +74,40 @@ navtk_specific_force_status_t navtk_specific_force_retract_batch(
     uint8_t status[NAVTK_SPECIFIC_FORCE_RESTRICT]);
 
 /**
+ * @brief State moved by an error: many epochs that lie side by side in blocks.
+ *
+ * See navtk_specific_force_retract for the equation.
+ * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
+ * NAVTK_SPECIFIC_FORCE_RETRACT_LANES + l]; epoch e is lane e % NAVTK_SPECIFIC_FORCE_RETRACT_LANES
+ * of block e / NAVTK_SPECIFIC_FORCE_RETRACT_LANES. Lanes behind the last epoch are neither read nor
+ * written, nor are outputs of an epoch whose status is not OK.
+ *
+ * @param[in]   epochs  Number of epochs.
+ * @param[in]   x       [blocks x 16 x NAVTK_SPECIFIC_FORCE_RETRACT_LANES] State vector; its blocks,
+ *                      units and ranges stand in the header of the types.
+ * @param[in]   d       [blocks x 15 x NAVTK_SPECIFIC_FORCE_RETRACT_LANES] [15] m in n: Error of
+ *                      position; range -1e+09 to 1e+09. m/s in n: Error of velocity; range -1e+09
+ *                      to 1e+09. rad in n: Error of attitude; range -6 to 6. m/s^2 in s: Error of
+ *                      accelerometer_bias; range -1e+09 to 1e+09. rad/s in s: Error of gyro_bias;
+ *                      range -1e+09 to 1e+09.
+ * @param[out]  value   [blocks x 16 x NAVTK_SPECIFIC_FORCE_RETRACT_LANES] [16] Value of the
+ *                      equation.
+ * @param[out]  status  Status of every epoch, one byte each, in the order of the epochs.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+navtk_specific_force_status_t navtk_specific_force_retract_blocks(
+    int32_t epochs,
+    const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    const navtk_specific_force_real_t d[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t value[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    uint8_t status[NAVTK_SPECIFIC_FORCE_RESTRICT]);
+
+/** Epochs in one block of navtk_specific_force_local. */
+#define NAVTK_SPECIFIC_FORCE_LOCAL_LANES 32
+
+/**
  * @brief Error between two states.
  *
  *     value = y (-) x, so that x (+) value = y
@@ -121,6 +158,38 @@ navtk_specific_force_status_t navtk_specific_force_local_batch(
     int32_t y_step,
     navtk_specific_force_real_t value[NAVTK_SPECIFIC_FORCE_RESTRICT],
     uint8_t status[NAVTK_SPECIFIC_FORCE_RESTRICT]);
+
+/**
+ * @brief Error between two states: many epochs that lie side by side in blocks.
+ *
+ * See navtk_specific_force_local for the equation.
+ * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
+ * NAVTK_SPECIFIC_FORCE_LOCAL_LANES + l]; epoch e is lane e % NAVTK_SPECIFIC_FORCE_LOCAL_LANES of
+ * block e / NAVTK_SPECIFIC_FORCE_LOCAL_LANES. Lanes behind the last epoch are neither read nor
+ * written, nor are outputs of an epoch whose status is not OK.
+ *
+ * @param[in]   epochs  Number of epochs.
+ * @param[in]   x       [blocks x 16 x NAVTK_SPECIFIC_FORCE_LOCAL_LANES] State vector; its blocks,
+ *                      units and ranges stand in the header of the types.
+ * @param[in]   y       [blocks x 16 x NAVTK_SPECIFIC_FORCE_LOCAL_LANES] [16] m in n: range -1e+09
+ *                      to 1e+09. m/s in n: range -1e+09 to 1e+09. s -> n: unit quaternion, order w
+ *                      x y z, q.q = 1 within 1e-05. m/s^2 in s: range -1 to 1. rad/s in s: range
+ *                      -0.1 to 0.1.
+ * @param[out]  value   [blocks x 15 x NAVTK_SPECIFIC_FORCE_LOCAL_LANES] [15] Value of the equation.
+ * @param[out]  status  Status of every epoch, one byte each, in the order of the epochs.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+navtk_specific_force_status_t navtk_specific_force_local_blocks(
+    int32_t epochs,
+    const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    const navtk_specific_force_real_t y[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t value[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    uint8_t status[NAVTK_SPECIFIC_FORCE_RESTRICT]);
+
+/** Epochs in one block of navtk_specific_force_calc_force. */
+#define NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES 32
 
 /** Structural non-zeros of jacobian_dcm of navtk_specific_force_calc_force. */
 #define NAVTK_SPECIFIC_FORCE_CALC_FORCE_JACOBIAN_DCM_NNZ 6
@@ -371,6 +440,118 @@ navtk_specific_force_status_t navtk_specific_force_calc_force_batch(
     navtk_specific_force_real_t jacobian_delta_velocity[NAVTK_SPECIFIC_FORCE_RESTRICT],
     navtk_specific_force_real_t jacobian_dt[NAVTK_SPECIFIC_FORCE_RESTRICT],
     uint8_t status[NAVTK_SPECIFIC_FORCE_RESTRICT]);
+
+/**
+ * @brief Specific force corrected for rotation and sculling: values and structural non-zeros of
+ *        many epochs.
+ *
+ * See navtk_specific_force_calc_force for the equation.
+ *
+ * @param[in]   epochs                      Number of epochs.
+ * @param[in]   dcm                         [9] s -> n: C, attitude of the body at the epoch;
+ *                                          rotation matrix, by row, orthonormal within 1e-05.
+ * @param[in]   dcm_step                    Elements from one epoch of dcm to the next; 0 for the
+ *                                          same.
+ * @param[in]   delta_theta                 [3] rad in s: Angle increments, oldest sub-sample first;
+ *                                          range -0.5 to 0.5.
+ * @param[in]   delta_theta_step            Elements from one epoch of delta_theta to the next; 0
+ *                                          for the same.
+ * @param[in]   delta_velocity              [3] m/s in s: Velocity increments, oldest sub-sample
+ *                                          first; range -50 to 50.
+ * @param[in]   delta_velocity_step         Elements from one epoch of delta_velocity to the next; 0
+ *                                          for the same.
+ * @param[in]   dt                          [1] s: Length of the interval; range 1e-05 to 0.05.
+ * @param[in]   dt_step                     Elements from one epoch of dt to the next; 0 for the
+ *                                          same.
+ * @param[out]  value                       As in one call, epoch after epoch, by row: [epochs x 3].
+ * @param[out]  jacobian_dcm_nz             [epochs x 6] Structural non-zeros of jacobian_dcm, in
+ *                                          the order of the tables.
+ * @param[out]  jacobian_delta_theta_nz     [epochs x 9] Structural non-zeros of
+ *                                          jacobian_delta_theta, in the order of the tables.
+ * @param[out]  jacobian_delta_velocity_nz  [epochs x 9] Structural non-zeros of
+ *                                          jacobian_delta_velocity, in the order of the tables.
+ * @param[out]  jacobian_dt_nz              [epochs x 3] Structural non-zeros of jacobian_dt, in the
+ *                                          order of the tables.
+ * @param[out]  status                      Status of every epoch, one byte each.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+navtk_specific_force_status_t navtk_specific_force_calc_force_batch_nz(
+    int32_t epochs,
+    const navtk_specific_force_real_t dcm[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    int32_t dcm_step,
+    const navtk_specific_force_real_t delta_theta[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    int32_t delta_theta_step,
+    const navtk_specific_force_real_t delta_velocity[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    int32_t delta_velocity_step,
+    const navtk_specific_force_real_t dt[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    int32_t dt_step,
+    navtk_specific_force_real_t value[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t jacobian_dcm_nz[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t jacobian_delta_theta_nz[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t jacobian_delta_velocity_nz[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t jacobian_dt_nz[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    uint8_t status[NAVTK_SPECIFIC_FORCE_RESTRICT]);
+
+/**
+ * @brief Specific force corrected for rotation and sculling: many epochs that lie side by side in
+ *        blocks.
+ *
+ * See navtk_specific_force_calc_force for the equation.
+ * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
+ * NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES + l]; epoch e is lane e %
+ * NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES of block e / NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES. Lanes
+ * behind the last epoch are neither read nor written, nor are outputs of an epoch whose status is
+ * not OK.
+ *
+ * @param[in]   epochs                      Number of epochs.
+ * @param[in]   dcm                         [blocks x 9 x NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES] [9]
+ *                                          s -> n: C, attitude of the body at the epoch; rotation
+ *                                          matrix, by row, orthonormal within 1e-05.
+ * @param[in]   delta_theta                 [blocks x 3 x NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES] [3]
+ *                                          rad in s: Angle increments, oldest sub-sample first;
+ *                                          range -0.5 to 0.5.
+ * @param[in]   delta_velocity              [blocks x 3 x NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES] [3]
+ *                                          m/s in s: Velocity increments, oldest sub-sample first;
+ *                                          range -50 to 50.
+ * @param[in]   dt                          [blocks x 1 x NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES] [1]
+ *                                          s: Length of the interval; range 1e-05 to 0.05.
+ * @param[out]  value                       [blocks x 3 x NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES] [3]
+ *                                          m/s^2 in n: Value of the equation.
+ * @param[out]  jacobian_dcm_nz             [blocks x 6 x NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES] The
+ *                                          6 structural non-zeros of jacobian_dcm, in the order of
+ *                                          the tables.
+ * @param[out]  jacobian_delta_theta_nz     [blocks x 9 x NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES] The
+ *                                          9 structural non-zeros of jacobian_delta_theta, in the
+ *                                          order of the tables.
+ * @param[out]  jacobian_delta_velocity_nz  [blocks x 9 x NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES] The
+ *                                          9 structural non-zeros of jacobian_delta_velocity, in
+ *                                          the order of the tables.
+ * @param[out]  jacobian_dt_nz              [blocks x 3 x NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES] The
+ *                                          3 structural non-zeros of jacobian_dt, in the order of
+ *                                          the tables.
+ * @param[out]  status                      Status of every epoch, one byte each, in the order of
+ *                                          the epochs.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+navtk_specific_force_status_t navtk_specific_force_calc_force_blocks(
+    int32_t epochs,
+    const navtk_specific_force_real_t dcm[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    const navtk_specific_force_real_t delta_theta[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    const navtk_specific_force_real_t delta_velocity[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    const navtk_specific_force_real_t dt[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t value[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t jacobian_dcm_nz[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t jacobian_delta_theta_nz[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t jacobian_delta_velocity_nz[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t jacobian_dt_nz[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    uint8_t status[NAVTK_SPECIFIC_FORCE_RESTRICT]);
+
+/** Epochs in one block of navtk_specific_force_force. */
+#define NAVTK_SPECIFIC_FORCE_FORCE_LANES 16
 
 /** Structural non-zeros of jacobian of navtk_specific_force_force. */
 #define NAVTK_SPECIFIC_FORCE_FORCE_JACOBIAN_NNZ 24
@@ -628,6 +809,114 @@ navtk_specific_force_status_t navtk_specific_force_force_batch(
     navtk_specific_force_real_t jacobian_delta_theta[NAVTK_SPECIFIC_FORCE_RESTRICT],
     navtk_specific_force_real_t jacobian_delta_velocity[NAVTK_SPECIFIC_FORCE_RESTRICT],
     navtk_specific_force_real_t jacobian_dt[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    uint8_t status[NAVTK_SPECIFIC_FORCE_RESTRICT]);
+
+/**
+ * @brief Specific force corrected for rotation and sculling: values and structural non-zeros of
+ *        many epochs.
+ *
+ * See navtk_specific_force_force for the equation.
+ *
+ * @param[in]   epochs                      Number of epochs.
+ * @param[in]   x                           State vector; its blocks, units and ranges stand in the
+ *                                          header of the types.
+ * @param[in]   x_step                      Elements from one epoch of x to the next; 0 for the
+ *                                          same.
+ * @param[in]   delta_theta                 [3] rad in s: Angle increments, oldest sub-sample first;
+ *                                          range -0.5 to 0.5.
+ * @param[in]   delta_theta_step            Elements from one epoch of delta_theta to the next; 0
+ *                                          for the same.
+ * @param[in]   delta_velocity              [3] m/s in s: Velocity increments, oldest sub-sample
+ *                                          first; range -50 to 50.
+ * @param[in]   delta_velocity_step         Elements from one epoch of delta_velocity to the next; 0
+ *                                          for the same.
+ * @param[in]   dt                          [1] s: Length of the interval; range 1e-05 to 0.05.
+ * @param[in]   dt_step                     Elements from one epoch of dt to the next; 0 for the
+ *                                          same.
+ * @param[out]  value                       As in one call, epoch after epoch, by row: [epochs x 3].
+ * @param[out]  jacobian_nz                 [epochs x 24] Structural non-zeros of jacobian, in the
+ *                                          order of the tables.
+ * @param[out]  jacobian_delta_theta_nz     [epochs x 9] Structural non-zeros of
+ *                                          jacobian_delta_theta, in the order of the tables.
+ * @param[out]  jacobian_delta_velocity_nz  [epochs x 9] Structural non-zeros of
+ *                                          jacobian_delta_velocity, in the order of the tables.
+ * @param[out]  jacobian_dt_nz              [epochs x 3] Structural non-zeros of jacobian_dt, in the
+ *                                          order of the tables.
+ * @param[out]  status                      Status of every epoch, one byte each.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+navtk_specific_force_status_t navtk_specific_force_force_batch_nz(
+    int32_t epochs,
+    const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    int32_t x_step,
+    const navtk_specific_force_real_t delta_theta[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    int32_t delta_theta_step,
+    const navtk_specific_force_real_t delta_velocity[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    int32_t delta_velocity_step,
+    const navtk_specific_force_real_t dt[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    int32_t dt_step,
+    navtk_specific_force_real_t value[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t jacobian_nz[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t jacobian_delta_theta_nz[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t jacobian_delta_velocity_nz[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t jacobian_dt_nz[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    uint8_t status[NAVTK_SPECIFIC_FORCE_RESTRICT]);
+
+/**
+ * @brief Specific force corrected for rotation and sculling: many epochs that lie side by side in
+ *        blocks.
+ *
+ * See navtk_specific_force_force for the equation.
+ * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
+ * NAVTK_SPECIFIC_FORCE_FORCE_LANES + l]; epoch e is lane e % NAVTK_SPECIFIC_FORCE_FORCE_LANES of
+ * block e / NAVTK_SPECIFIC_FORCE_FORCE_LANES. Lanes behind the last epoch are neither read nor
+ * written, nor are outputs of an epoch whose status is not OK.
+ *
+ * @param[in]   epochs                      Number of epochs.
+ * @param[in]   x                           [blocks x 16 x NAVTK_SPECIFIC_FORCE_FORCE_LANES] State
+ *                                          vector; its blocks, units and ranges stand in the header
+ *                                          of the types.
+ * @param[in]   delta_theta                 [blocks x 3 x NAVTK_SPECIFIC_FORCE_FORCE_LANES] [3] rad
+ *                                          in s: Angle increments, oldest sub-sample first; range
+ *                                          -0.5 to 0.5.
+ * @param[in]   delta_velocity              [blocks x 3 x NAVTK_SPECIFIC_FORCE_FORCE_LANES] [3] m/s
+ *                                          in s: Velocity increments, oldest sub-sample first;
+ *                                          range -50 to 50.
+ * @param[in]   dt                          [blocks x 1 x NAVTK_SPECIFIC_FORCE_FORCE_LANES] [1] s:
+ *                                          Length of the interval; range 1e-05 to 0.05.
+ * @param[out]  value                       [blocks x 3 x NAVTK_SPECIFIC_FORCE_FORCE_LANES] [3]
+ *                                          m/s^2 in n: Value of the equation.
+ * @param[out]  jacobian_nz                 [blocks x 24 x NAVTK_SPECIFIC_FORCE_FORCE_LANES] The 24
+ *                                          structural non-zeros of jacobian, in the order of the
+ *                                          tables.
+ * @param[out]  jacobian_delta_theta_nz     [blocks x 9 x NAVTK_SPECIFIC_FORCE_FORCE_LANES] The 9
+ *                                          structural non-zeros of jacobian_delta_theta, in the
+ *                                          order of the tables.
+ * @param[out]  jacobian_delta_velocity_nz  [blocks x 9 x NAVTK_SPECIFIC_FORCE_FORCE_LANES] The 9
+ *                                          structural non-zeros of jacobian_delta_velocity, in the
+ *                                          order of the tables.
+ * @param[out]  jacobian_dt_nz              [blocks x 3 x NAVTK_SPECIFIC_FORCE_FORCE_LANES] The 3
+ *                                          structural non-zeros of jacobian_dt, in the order of the
+ *                                          tables.
+ * @param[out]  status                      Status of every epoch, one byte each, in the order of
+ *                                          the epochs.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+navtk_specific_force_status_t navtk_specific_force_force_blocks(
+    int32_t epochs,
+    const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    const navtk_specific_force_real_t delta_theta[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    const navtk_specific_force_real_t delta_velocity[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    const navtk_specific_force_real_t dt[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t value[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t jacobian_nz[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t jacobian_delta_theta_nz[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t jacobian_delta_velocity_nz[NAVTK_SPECIFIC_FORCE_RESTRICT],
+    navtk_specific_force_real_t jacobian_dt_nz[NAVTK_SPECIFIC_FORCE_RESTRICT],
     uint8_t status[NAVTK_SPECIFIC_FORCE_RESTRICT]);
 
 /* Interface ends. */

@@ -16,6 +16,9 @@ extern "C" {
 
 /* Interface begins. */
 
+/** Epochs in one block of rover_retract. */
+#define ROVER_RETRACT_LANES 16
+
 /**
  * @brief State moved by an error.
  *
@@ -75,6 +78,41 @@ rover_status_t rover_retract_batch(
     uint8_t status[ROVER_RESTRICT]);
 
 /**
+ * @brief State moved by an error: many epochs that lie side by side in blocks.
+ *
+ * See rover_retract for the equation.
+ * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
+ * ROVER_RETRACT_LANES + l]; epoch e is lane e % ROVER_RETRACT_LANES of block e /
+ * ROVER_RETRACT_LANES. Lanes behind the last epoch are neither read nor written, nor are outputs of
+ * an epoch whose status is not OK.
+ *
+ * @param[in]   epochs  Number of epochs.
+ * @param[in]   x       [blocks x 22 x ROVER_RETRACT_LANES] State vector; its blocks, units and
+ *                      ranges stand in the header of the types.
+ * @param[in]   d       [blocks x 21 x ROVER_RETRACT_LANES] [21] m in n: Error of position; range
+ *                      -1e+09 to 1e+09. m/s in n: Error of velocity; range -1e+09 to 1e+09. rad in
+ *                      b: Error of attitude; range -6 to 6. m/s^2 in b: Error of
+ *                      accelerometer_bias; range -1e+09 to 1e+09. rad/s in b: Error of gyro_bias;
+ *                      range -1e+09 to 1e+09. m in b: Error of antenna; range -1e+09 to 1e+09. m:
+ *                      Error of b_gps; range -1e+09 to 1e+09. m: Error of b_galileo; range -1e+09
+ *                      to 1e+09. m/s: Error of drift; range -1e+09 to 1e+09.
+ * @param[out]  value   [blocks x 22 x ROVER_RETRACT_LANES] [22] Value of the equation.
+ * @param[out]  status  Status of every epoch, one byte each, in the order of the epochs.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+rover_status_t rover_retract_blocks(
+    int32_t epochs,
+    const rover_real_t x[ROVER_RESTRICT],
+    const rover_real_t d[ROVER_RESTRICT],
+    rover_real_t value[ROVER_RESTRICT],
+    uint8_t status[ROVER_RESTRICT]);
+
+/** Epochs in one block of rover_local. */
+#define ROVER_LOCAL_LANES 16
+
+/**
  * @brief Error between two states.
  *
  *     value = y (-) x, so that x (+) value = y
@@ -126,6 +164,39 @@ rover_status_t rover_local_batch(
     int32_t y_step,
     rover_real_t value[ROVER_RESTRICT],
     uint8_t status[ROVER_RESTRICT]);
+
+/**
+ * @brief Error between two states: many epochs that lie side by side in blocks.
+ *
+ * See rover_local for the equation.
+ * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
+ * ROVER_LOCAL_LANES + l]; epoch e is lane e % ROVER_LOCAL_LANES of block e / ROVER_LOCAL_LANES.
+ * Lanes behind the last epoch are neither read nor written, nor are outputs of an epoch whose
+ * status is not OK.
+ *
+ * @param[in]   epochs  Number of epochs.
+ * @param[in]   x       [blocks x 22 x ROVER_LOCAL_LANES] State vector; its blocks, units and ranges
+ *                      stand in the header of the types.
+ * @param[in]   y       [blocks x 22 x ROVER_LOCAL_LANES] [22] m in n: range -100000 to 100000. m/s
+ *                      in n: range -1e+09 to 1e+09. b -> n: unit quaternion, order w x y z, q.q = 1
+ *                      within 1e-05. m/s^2 in b: range -1 to 1. rad/s in b: range -0.1 to 0.1. m in
+ *                      b: range -10 to 10. m: range -1e+06 to 1e+06. m: range -1e+06 to 1e+06. m/s:
+ *                      range -1e+09 to 1e+09.
+ * @param[out]  value   [blocks x 21 x ROVER_LOCAL_LANES] [21] Value of the equation.
+ * @param[out]  status  Status of every epoch, one byte each, in the order of the epochs.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+rover_status_t rover_local_blocks(
+    int32_t epochs,
+    const rover_real_t x[ROVER_RESTRICT],
+    const rover_real_t y[ROVER_RESTRICT],
+    rover_real_t value[ROVER_RESTRICT],
+    uint8_t status[ROVER_RESTRICT]);
+
+/** Epochs in one block of rover_gps. */
+#define ROVER_GPS_LANES 32
 
 /** Structural non-zeros of jacobian of rover_gps. */
 #define ROVER_GPS_JACOBIAN_NNZ 21
@@ -241,6 +312,58 @@ rover_status_t rover_gps_batch(
     int32_t x_step,
     rover_real_t value[ROVER_RESTRICT],
     rover_real_t jacobian[ROVER_RESTRICT],
+    uint8_t status[ROVER_RESTRICT]);
+
+/**
+ * @brief Position of a GNSS antenna: values and structural non-zeros of many epochs.
+ *
+ * See rover_gps for the equation.
+ *
+ * @param[in]   epochs       Number of epochs.
+ * @param[in]   x            State vector; its blocks, units and ranges stand in the header of the
+ *                           types.
+ * @param[in]   x_step       Elements from one epoch of x to the next; 0 for the same.
+ * @param[out]  value        As in one call, epoch after epoch, by row: [epochs x 3].
+ * @param[out]  jacobian_nz  [epochs x 21] Structural non-zeros of jacobian, in the order of the
+ *                           tables.
+ * @param[out]  status       Status of every epoch, one byte each.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+rover_status_t rover_gps_batch_nz(
+    int32_t epochs,
+    const rover_real_t x[ROVER_RESTRICT],
+    int32_t x_step,
+    rover_real_t value[ROVER_RESTRICT],
+    rover_real_t jacobian_nz[ROVER_RESTRICT],
+    uint8_t status[ROVER_RESTRICT]);
+
+/**
+ * @brief Position of a GNSS antenna: many epochs that lie side by side in blocks.
+ *
+ * See rover_gps for the equation.
+ * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
+ * ROVER_GPS_LANES + l]; epoch e is lane e % ROVER_GPS_LANES of block e / ROVER_GPS_LANES. Lanes
+ * behind the last epoch are neither read nor written, nor are outputs of an epoch whose status is
+ * not OK.
+ *
+ * @param[in]   epochs       Number of epochs.
+ * @param[in]   x            [blocks x 22 x ROVER_GPS_LANES] State vector; its blocks, units and
+ *                           ranges stand in the header of the types.
+ * @param[out]  value        [blocks x 3 x ROVER_GPS_LANES] [3] m in n: Value of the equation.
+ * @param[out]  jacobian_nz  [blocks x 21 x ROVER_GPS_LANES] The 21 structural non-zeros of
+ *                           jacobian, in the order of the tables.
+ * @param[out]  status       Status of every epoch, one byte each, in the order of the epochs.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+rover_status_t rover_gps_blocks(
+    int32_t epochs,
+    const rover_real_t x[ROVER_RESTRICT],
+    rover_real_t value[ROVER_RESTRICT],
+    rover_real_t jacobian_nz[ROVER_RESTRICT],
     uint8_t status[ROVER_RESTRICT]);
 
 /** Most items in a call of rover_range. */
@@ -529,6 +652,86 @@ rover_status_t rover_range_batch(
     uint8_t status[ROVER_RESTRICT],
     uint8_t item_status[ROVER_RESTRICT]);
 
+/**
+ * @brief Pseudoranges from the antenna to satellites: values and structural non-zeros of many
+ *        epochs.
+ *
+ * See rover_range for the equation.
+ *
+ * @param[in]   epochs                   Number of epochs.
+ * @param[in]   x                        State vector; its blocks, units and ranges stand in the
+ *                                       header of the types.
+ * @param[in]   x_step                   Elements from one epoch of x to the next; 0 for the same.
+ * @param[in]   n                        Number of items, at most ROVER_RANGE_MAX_ITEMS.
+ * @param[in]   nav_to_ecef              [4] n -> ecef: Attitude of the navigation frame in the
+ *                                       earth-fixed frame; unit quaternion, order w x y z, q.q = 1
+ *                                       within 1e-05.
+ * @param[in]   nav_to_ecef_step         Elements from one epoch of nav_to_ecef to the next; 0 for
+ *                                       the same.
+ * @param[in]   origin                   [3] m in ecef: Origin of the navigation frame, earth-fixed;
+ *                                       range -1e+08 to 1e+08.
+ * @param[in]   origin_step              Elements from one epoch of origin to the next; 0 for the
+ *                                       same.
+ * @param[in]   system                   [n x 1] Satellite system: 0 gps, 1 galileo; range 0 to 1.
+ * @param[in]   system_step              Elements from one epoch of system to the next; 0 for the
+ *                                       same.
+ * @param[in]   satellite_position       [n x 3] m in ecef: Satellite, earth-fixed; range -1e+08 to
+ *                                       1e+08.
+ * @param[in]   satellite_position_step  Elements from one epoch of satellite_position to the next;
+ *                                       0 for the same.
+ * @param[in]   satellite_clock          [n x 1] s: Satellite clock offset; range -0.1 to 0.1.
+ * @param[in]   satellite_clock_step     Elements from one epoch of satellite_clock to the next; 0
+ *                                       for the same.
+ * @param[in]   troposphere              [n x 1] m: Tropospheric delay; range -100 to 1000.
+ * @param[in]   troposphere_step         Elements from one epoch of troposphere to the next; 0 for
+ *                                       the same.
+ * @param[in]   ionosphere               [n x 1] m: Ionospheric delay; range -1000 to 1000.
+ * @param[in]   ionosphere_step          Elements from one epoch of ionosphere to the next; 0 for
+ *                                       the same.
+ * @param[in]   measured                 [n x 1] m: Measured value; range -1e+09 to 1e+09.
+ * @param[in]   measured_step            Elements from one epoch of measured to the next; 0 for the
+ *                                       same.
+ * @param[out]  value                    As in one call, epoch after epoch, by row: [epochs x n].
+ * @param[out]  residual                 As in one call, epoch after epoch, by row: [epochs x n].
+ * @param[out]  jacobian_nz              [epochs x 11 x n] Structural non-zeros of jacobian, in the
+ *                                       order of the tables.
+ * @param[out]  status                   Status of every epoch, one byte each.
+ * @param[out]  item_status              [epochs x n] Status of every item; not written for an epoch
+ *                                       whose inputs shared by all items fail.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+rover_status_t rover_range_batch_nz(
+    int32_t epochs,
+    const rover_real_t x[ROVER_RESTRICT],
+    int32_t x_step,
+    int32_t n,
+    const rover_real_t nav_to_ecef[ROVER_RESTRICT],
+    int32_t nav_to_ecef_step,
+    const rover_real_t origin[ROVER_RESTRICT],
+    int32_t origin_step,
+    const int32_t system[ROVER_RESTRICT],
+    int32_t system_step,
+    const rover_real_t satellite_position[ROVER_RESTRICT],
+    int32_t satellite_position_step,
+    const rover_real_t satellite_clock[ROVER_RESTRICT],
+    int32_t satellite_clock_step,
+    const rover_real_t troposphere[ROVER_RESTRICT],
+    int32_t troposphere_step,
+    const rover_real_t ionosphere[ROVER_RESTRICT],
+    int32_t ionosphere_step,
+    const rover_real_t measured[ROVER_RESTRICT],
+    int32_t measured_step,
+    rover_real_t value[ROVER_RESTRICT],
+    rover_real_t residual[ROVER_RESTRICT],
+    rover_real_t jacobian_nz[ROVER_RESTRICT],
+    uint8_t status[ROVER_RESTRICT],
+    uint8_t item_status[ROVER_RESTRICT]);
+
+/** Epochs in one block of rover_imu. */
+#define ROVER_IMU_LANES 16
+
 /** Structural non-zeros of jacobian of rover_imu. */
 #define ROVER_IMU_JACOBIAN_NNZ 27
 
@@ -697,6 +900,86 @@ rover_status_t rover_imu_batch(
     int32_t dt_step,
     rover_real_t value[ROVER_RESTRICT],
     rover_real_t jacobian[ROVER_RESTRICT],
+    uint8_t status[ROVER_RESTRICT]);
+
+/**
+ * @brief Specific force corrected for rotation and sculling: values and structural non-zeros of
+ *        many epochs.
+ *
+ * See rover_imu for the equation.
+ *
+ * @param[in]   epochs               Number of epochs.
+ * @param[in]   x                    State vector; its blocks, units and ranges stand in the header
+ *                                   of the types.
+ * @param[in]   x_step               Elements from one epoch of x to the next; 0 for the same.
+ * @param[in]   delta_theta          [6] rad in b: Angle increments, oldest sub-sample first; range
+ *                                   -0.5 to 0.5.
+ * @param[in]   delta_theta_step     Elements from one epoch of delta_theta to the next; 0 for the
+ *                                   same.
+ * @param[in]   delta_velocity       [6] m/s in b: Velocity increments, oldest sub-sample first;
+ *                                   range -50 to 50.
+ * @param[in]   delta_velocity_step  Elements from one epoch of delta_velocity to the next; 0 for
+ *                                   the same.
+ * @param[in]   dt                   [1] s: Length of the interval; range 1e-05 to 0.05.
+ * @param[in]   dt_step              Elements from one epoch of dt to the next; 0 for the same.
+ * @param[out]  value                As in one call, epoch after epoch, by row: [epochs x 3].
+ * @param[out]  jacobian_nz          [epochs x 27] Structural non-zeros of jacobian, in the order of
+ *                                   the tables.
+ * @param[out]  status               Status of every epoch, one byte each.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+rover_status_t rover_imu_batch_nz(
+    int32_t epochs,
+    const rover_real_t x[ROVER_RESTRICT],
+    int32_t x_step,
+    const rover_real_t delta_theta[ROVER_RESTRICT],
+    int32_t delta_theta_step,
+    const rover_real_t delta_velocity[ROVER_RESTRICT],
+    int32_t delta_velocity_step,
+    const rover_real_t dt[ROVER_RESTRICT],
+    int32_t dt_step,
+    rover_real_t value[ROVER_RESTRICT],
+    rover_real_t jacobian_nz[ROVER_RESTRICT],
+    uint8_t status[ROVER_RESTRICT]);
+
+/**
+ * @brief Specific force corrected for rotation and sculling: many epochs that lie side by side in
+ *        blocks.
+ *
+ * See rover_imu for the equation.
+ * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
+ * ROVER_IMU_LANES + l]; epoch e is lane e % ROVER_IMU_LANES of block e / ROVER_IMU_LANES. Lanes
+ * behind the last epoch are neither read nor written, nor are outputs of an epoch whose status is
+ * not OK.
+ *
+ * @param[in]   epochs          Number of epochs.
+ * @param[in]   x               [blocks x 22 x ROVER_IMU_LANES] State vector; its blocks, units and
+ *                              ranges stand in the header of the types.
+ * @param[in]   delta_theta     [blocks x 6 x ROVER_IMU_LANES] [6] rad in b: Angle increments,
+ *                              oldest sub-sample first; range -0.5 to 0.5.
+ * @param[in]   delta_velocity  [blocks x 6 x ROVER_IMU_LANES] [6] m/s in b: Velocity increments,
+ *                              oldest sub-sample first; range -50 to 50.
+ * @param[in]   dt              [blocks x 1 x ROVER_IMU_LANES] [1] s: Length of the interval; range
+ *                              1e-05 to 0.05.
+ * @param[out]  value           [blocks x 3 x ROVER_IMU_LANES] [3] m/s^2 in n: Value of the
+ *                              equation.
+ * @param[out]  jacobian_nz     [blocks x 27 x ROVER_IMU_LANES] The 27 structural non-zeros of
+ *                              jacobian, in the order of the tables.
+ * @param[out]  status          Status of every epoch, one byte each, in the order of the epochs.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+rover_status_t rover_imu_blocks(
+    int32_t epochs,
+    const rover_real_t x[ROVER_RESTRICT],
+    const rover_real_t delta_theta[ROVER_RESTRICT],
+    const rover_real_t delta_velocity[ROVER_RESTRICT],
+    const rover_real_t dt[ROVER_RESTRICT],
+    rover_real_t value[ROVER_RESTRICT],
+    rover_real_t jacobian_nz[ROVER_RESTRICT],
     uint8_t status[ROVER_RESTRICT]);
 
 /* Interface ends. */

@@ -16,6 +16,9 @@ extern "C" {
 
 /* Interface begins. */
 
+/** Epochs in one block of single_point_retract. */
+#define SINGLE_POINT_RETRACT_LANES 32
+
 /**
  * @brief State moved by an error.
  *
@@ -64,6 +67,36 @@ single_point_status_t single_point_retract_batch(
     uint8_t status[SINGLE_POINT_RESTRICT]);
 
 /**
+ * @brief State moved by an error: many epochs that lie side by side in blocks.
+ *
+ * See single_point_retract for the equation.
+ * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
+ * SINGLE_POINT_RETRACT_LANES + l]; epoch e is lane e % SINGLE_POINT_RETRACT_LANES of block e /
+ * SINGLE_POINT_RETRACT_LANES. Lanes behind the last epoch are neither read nor written, nor are
+ * outputs of an epoch whose status is not OK.
+ *
+ * @param[in]   epochs  Number of epochs.
+ * @param[in]   x       [blocks x 4 x SINGLE_POINT_RETRACT_LANES] State vector; its blocks, units
+ *                      and ranges stand in the header of the types.
+ * @param[in]   d       [blocks x 4 x SINGLE_POINT_RETRACT_LANES] [4] m in e: Error of position;
+ *                      range -1e+09 to 1e+09. m: Error of clock_bias; range -1e+09 to 1e+09.
+ * @param[out]  value   [blocks x 4 x SINGLE_POINT_RETRACT_LANES] [4] Value of the equation.
+ * @param[out]  status  Status of every epoch, one byte each, in the order of the epochs.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+single_point_status_t single_point_retract_blocks(
+    int32_t epochs,
+    const single_point_real_t x[SINGLE_POINT_RESTRICT],
+    const single_point_real_t d[SINGLE_POINT_RESTRICT],
+    single_point_real_t value[SINGLE_POINT_RESTRICT],
+    uint8_t status[SINGLE_POINT_RESTRICT]);
+
+/** Epochs in one block of single_point_local. */
+#define SINGLE_POINT_LOCAL_LANES 32
+
+/**
  * @brief Error between two states.
  *
  *     value = y (-) x, so that x (+) value = y
@@ -105,6 +138,33 @@ single_point_status_t single_point_local_batch(
     int32_t x_step,
     const single_point_real_t y[SINGLE_POINT_RESTRICT],
     int32_t y_step,
+    single_point_real_t value[SINGLE_POINT_RESTRICT],
+    uint8_t status[SINGLE_POINT_RESTRICT]);
+
+/**
+ * @brief Error between two states: many epochs that lie side by side in blocks.
+ *
+ * See single_point_local for the equation.
+ * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
+ * SINGLE_POINT_LOCAL_LANES + l]; epoch e is lane e % SINGLE_POINT_LOCAL_LANES of block e /
+ * SINGLE_POINT_LOCAL_LANES. Lanes behind the last epoch are neither read nor written, nor are
+ * outputs of an epoch whose status is not OK.
+ *
+ * @param[in]   epochs  Number of epochs.
+ * @param[in]   x       [blocks x 4 x SINGLE_POINT_LOCAL_LANES] State vector; its blocks, units and
+ *                      ranges stand in the header of the types.
+ * @param[in]   y       [blocks x 4 x SINGLE_POINT_LOCAL_LANES] [4] m in e: range -1e+07 to 1e+07.
+ *                      m: range -1e+08 to 1e+08.
+ * @param[out]  value   [blocks x 4 x SINGLE_POINT_LOCAL_LANES] [4] Value of the equation.
+ * @param[out]  status  Status of every epoch, one byte each, in the order of the epochs.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+single_point_status_t single_point_local_blocks(
+    int32_t epochs,
+    const single_point_real_t x[SINGLE_POINT_RESTRICT],
+    const single_point_real_t y[SINGLE_POINT_RESTRICT],
     single_point_real_t value[SINGLE_POINT_RESTRICT],
     uint8_t status[SINGLE_POINT_RESTRICT]);
 
@@ -321,6 +381,59 @@ single_point_status_t single_point_pseudorange_batch(
     int32_t ionosphere_step,
     single_point_real_t value[SINGLE_POINT_RESTRICT],
     single_point_real_t jacobian[SINGLE_POINT_RESTRICT],
+    uint8_t status[SINGLE_POINT_RESTRICT],
+    uint8_t item_status[SINGLE_POINT_RESTRICT]);
+
+/**
+ * @brief Pseudoranges from the antenna to satellites: values and structural non-zeros of many
+ *        epochs.
+ *
+ * See single_point_pseudorange for the equation.
+ *
+ * @param[in]   epochs                   Number of epochs.
+ * @param[in]   x                        State vector; its blocks, units and ranges stand in the
+ *                                       header of the types.
+ * @param[in]   x_step                   Elements from one epoch of x to the next; 0 for the same.
+ * @param[in]   n                        Number of items, at most
+ *                                       SINGLE_POINT_PSEUDORANGE_MAX_ITEMS.
+ * @param[in]   satellite_position       [n x 3] m in e: Satellite, earth-fixed; range -1e+08 to
+ *                                       1e+08.
+ * @param[in]   satellite_position_step  Elements from one epoch of satellite_position to the next;
+ *                                       0 for the same.
+ * @param[in]   satellite_clock          [n x 1] s: Satellite clock offset; range -0.1 to 0.1.
+ * @param[in]   satellite_clock_step     Elements from one epoch of satellite_clock to the next; 0
+ *                                       for the same.
+ * @param[in]   troposphere              [n x 1] m: Tropospheric delay; range -100 to 1000.
+ * @param[in]   troposphere_step         Elements from one epoch of troposphere to the next; 0 for
+ *                                       the same.
+ * @param[in]   ionosphere               [n x 1] m: Ionospheric delay; range -1000 to 1000.
+ * @param[in]   ionosphere_step          Elements from one epoch of ionosphere to the next; 0 for
+ *                                       the same.
+ * @param[out]  value                    As in one call, epoch after epoch, by row: [epochs x n].
+ * @param[out]  jacobian_nz              [epochs x 4 x n] Structural non-zeros of jacobian, in the
+ *                                       order of the tables.
+ * @param[out]  status                   Status of every epoch, one byte each.
+ * @param[out]  item_status              [epochs x n] Status of every item; not written for an epoch
+ *                                       whose inputs shared by all items fail.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+single_point_status_t single_point_pseudorange_batch_nz(
+    int32_t epochs,
+    const single_point_real_t x[SINGLE_POINT_RESTRICT],
+    int32_t x_step,
+    int32_t n,
+    const single_point_real_t satellite_position[SINGLE_POINT_RESTRICT],
+    int32_t satellite_position_step,
+    const single_point_real_t satellite_clock[SINGLE_POINT_RESTRICT],
+    int32_t satellite_clock_step,
+    const single_point_real_t troposphere[SINGLE_POINT_RESTRICT],
+    int32_t troposphere_step,
+    const single_point_real_t ionosphere[SINGLE_POINT_RESTRICT],
+    int32_t ionosphere_step,
+    single_point_real_t value[SINGLE_POINT_RESTRICT],
+    single_point_real_t jacobian_nz[SINGLE_POINT_RESTRICT],
     uint8_t status[SINGLE_POINT_RESTRICT],
     uint8_t item_status[SINGLE_POINT_RESTRICT]);
 
@@ -554,6 +667,62 @@ single_point_status_t single_point_pseudorange_without_sagnac_batch(
     uint8_t item_status[SINGLE_POINT_RESTRICT]);
 
 /**
+ * @brief Pseudoranges from the antenna to satellites: values and structural non-zeros of many
+ *        epochs.
+ *
+ * See single_point_pseudorange_without_sagnac for the equation.
+ *
+ * @param[in]   epochs                   Number of epochs.
+ * @param[in]   x                        State vector; its blocks, units and ranges stand in the
+ *                                       header of the types.
+ * @param[in]   x_step                   Elements from one epoch of x to the next; 0 for the same.
+ * @param[in]   n                        Number of items, at most
+ *                                       SINGLE_POINT_PSEUDORANGE_WITHOUT_SAGNAC_MAX_ITEMS.
+ * @param[in]   satellite_position       [n x 3] m in e: Satellite, earth-fixed; range -1e+08 to
+ *                                       1e+08.
+ * @param[in]   satellite_position_step  Elements from one epoch of satellite_position to the next;
+ *                                       0 for the same.
+ * @param[in]   satellite_clock          [n x 1] s: Satellite clock offset; range -0.1 to 0.1.
+ * @param[in]   satellite_clock_step     Elements from one epoch of satellite_clock to the next; 0
+ *                                       for the same.
+ * @param[in]   troposphere              [n x 1] m: Tropospheric delay; range -100 to 1000.
+ * @param[in]   troposphere_step         Elements from one epoch of troposphere to the next; 0 for
+ *                                       the same.
+ * @param[in]   ionosphere               [n x 1] m: Ionospheric delay; range -1000 to 1000.
+ * @param[in]   ionosphere_step          Elements from one epoch of ionosphere to the next; 0 for
+ *                                       the same.
+ * @param[out]  value                    As in one call, epoch after epoch, by row: [epochs x n].
+ * @param[out]  jacobian_nz              [epochs x 4 x n] Structural non-zeros of jacobian, in the
+ *                                       order of the tables.
+ * @param[out]  status                   Status of every epoch, one byte each.
+ * @param[out]  item_status              [epochs x n] Status of every item; not written for an epoch
+ *                                       whose inputs shared by all items fail.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+single_point_status_t single_point_pseudorange_without_sagnac_batch_nz(
+    int32_t epochs,
+    const single_point_real_t x[SINGLE_POINT_RESTRICT],
+    int32_t x_step,
+    int32_t n,
+    const single_point_real_t satellite_position[SINGLE_POINT_RESTRICT],
+    int32_t satellite_position_step,
+    const single_point_real_t satellite_clock[SINGLE_POINT_RESTRICT],
+    int32_t satellite_clock_step,
+    const single_point_real_t troposphere[SINGLE_POINT_RESTRICT],
+    int32_t troposphere_step,
+    const single_point_real_t ionosphere[SINGLE_POINT_RESTRICT],
+    int32_t ionosphere_step,
+    single_point_real_t value[SINGLE_POINT_RESTRICT],
+    single_point_real_t jacobian_nz[SINGLE_POINT_RESTRICT],
+    uint8_t status[SINGLE_POINT_RESTRICT],
+    uint8_t item_status[SINGLE_POINT_RESTRICT]);
+
+/** Epochs in one block of single_point_broadcast_orbit. */
+#define SINGLE_POINT_BROADCAST_ORBIT_LANES 32
+
+/**
  * @brief Satellite position, velocity and clock from a broadcast ephemeris.
  *
  *     E - e sin E = M; r, u, i with harmonic corrections; R_z(Omega) R_x(i)
@@ -781,6 +950,108 @@ single_point_status_t single_point_broadcast_orbit_batch(
     int32_t af2_step,
     const single_point_real_t group_delay[SINGLE_POINT_RESTRICT],
     int32_t group_delay_step,
+    single_point_real_t position[SINGLE_POINT_RESTRICT],
+    single_point_real_t clock[SINGLE_POINT_RESTRICT],
+    single_point_real_t velocity[SINGLE_POINT_RESTRICT],
+    single_point_real_t clock_rate[SINGLE_POINT_RESTRICT],
+    uint8_t status[SINGLE_POINT_RESTRICT]);
+
+/**
+ * @brief Satellite position, velocity and clock from a broadcast ephemeris: many epochs that lie
+ *        side by side in blocks.
+ *
+ * See single_point_broadcast_orbit for the equation.
+ * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
+ * SINGLE_POINT_BROADCAST_ORBIT_LANES + l]; epoch e is lane e % SINGLE_POINT_BROADCAST_ORBIT_LANES
+ * of block e / SINGLE_POINT_BROADCAST_ORBIT_LANES. Lanes behind the last epoch are neither read nor
+ * written, nor are outputs of an epoch whose status is not OK.
+ *
+ * @param[in]   epochs                  Number of epochs.
+ * @param[in]   time_2                  [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] s:
+ *                                      Time of week; may pass its ends by an hour; range -3600 to
+ *                                      608400.
+ * @param[in]   toe                     [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] s:
+ *                                      Reference time of the ephemeris; range 0 to 604800.
+ * @param[in]   toc                     [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] s:
+ *                                      Reference time of the clock; range 0 to 604800.
+ * @param[in]   sqrt_a                  [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] m^1/2:
+ *                                      Square root of the semi-major axis; range 4000 to 7000.
+ * @param[in]   eccentricity            [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1]
+ *                                      Eccentricity; range 0 to 0.1.
+ * @param[in]   mean_anomaly            [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] rad:
+ *                                      Mean anomaly at the reference time; range -3.2 to 3.2.
+ * @param[in]   mean_motion_difference  [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] rad/s:
+ *                                      Correction of the mean motion; range -1e-06 to 1e-06.
+ * @param[in]   inclination             [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] rad:
+ *                                      Inclination at the reference time; range -3.2 to 3.2.
+ * @param[in]   inclination_rate        [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] rad/s:
+ *                                      Rate of the inclination; range -1e-06 to 1e-06.
+ * @param[in]   right_ascension         [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] rad:
+ *                                      Longitude of the node at the week's start; range -3.2 to
+ *                                      3.2.
+ * @param[in]   right_ascension_rate    [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] rad/s:
+ *                                      Rate of the right ascension; range -1e-06 to 1e-06.
+ * @param[in]   argument_of_perigee     [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] rad:
+ *                                      Argument of perigee; range -3.2 to 3.2.
+ * @param[in]   cuc                     [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] rad:
+ *                                      Cosine correction of the argument of latitude; range -0.001
+ *                                      to 0.001.
+ * @param[in]   cus                     [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] rad:
+ *                                      Sine correction of the argument of latitude; range -0.001 to
+ *                                      0.001.
+ * @param[in]   crc                     [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] m:
+ *                                      Cosine correction of the radius; range -10000 to 10000.
+ * @param[in]   crs                     [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] m:
+ *                                      Sine correction of the radius; range -10000 to 10000.
+ * @param[in]   cic                     [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] rad:
+ *                                      Cosine correction of the inclination; range -0.001 to 0.001.
+ * @param[in]   cis                     [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] rad:
+ *                                      Sine correction of the inclination; range -0.001 to 0.001.
+ * @param[in]   af0                     [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] s:
+ *                                      Clock offset; range -0.1 to 0.1.
+ * @param[in]   af1                     [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] Clock
+ *                                      drift; range -1e-06 to 1e-06.
+ * @param[in]   af2                     [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] 1/s:
+ *                                      Clock drift rate; range -1e-09 to 1e-09.
+ * @param[in]   group_delay             [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] s: TGD
+ *                                      or BGD of the signal; range -1e-05 to 1e-05.
+ * @param[out]  position                [blocks x 3 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [3] m:
+ *                                      Position.
+ * @param[out]  clock                   [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] s: Clock.
+ * @param[out]  velocity                [blocks x 3 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [3] m/s:
+ *                                      Velocity.
+ * @param[out]  clock_rate              [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] Clock
+ *                                      rate.
+ * @param[out]  status                  Status of every epoch, one byte each, in the order of the
+ *                                      epochs.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+single_point_status_t single_point_broadcast_orbit_blocks(
+    int32_t epochs,
+    const single_point_real_t time_2[SINGLE_POINT_RESTRICT],
+    const single_point_real_t toe[SINGLE_POINT_RESTRICT],
+    const single_point_real_t toc[SINGLE_POINT_RESTRICT],
+    const single_point_real_t sqrt_a[SINGLE_POINT_RESTRICT],
+    const single_point_real_t eccentricity[SINGLE_POINT_RESTRICT],
+    const single_point_real_t mean_anomaly[SINGLE_POINT_RESTRICT],
+    const single_point_real_t mean_motion_difference[SINGLE_POINT_RESTRICT],
+    const single_point_real_t inclination[SINGLE_POINT_RESTRICT],
+    const single_point_real_t inclination_rate[SINGLE_POINT_RESTRICT],
+    const single_point_real_t right_ascension[SINGLE_POINT_RESTRICT],
+    const single_point_real_t right_ascension_rate[SINGLE_POINT_RESTRICT],
+    const single_point_real_t argument_of_perigee[SINGLE_POINT_RESTRICT],
+    const single_point_real_t cuc[SINGLE_POINT_RESTRICT],
+    const single_point_real_t cus[SINGLE_POINT_RESTRICT],
+    const single_point_real_t crc[SINGLE_POINT_RESTRICT],
+    const single_point_real_t crs[SINGLE_POINT_RESTRICT],
+    const single_point_real_t cic[SINGLE_POINT_RESTRICT],
+    const single_point_real_t cis[SINGLE_POINT_RESTRICT],
+    const single_point_real_t af0[SINGLE_POINT_RESTRICT],
+    const single_point_real_t af1[SINGLE_POINT_RESTRICT],
+    const single_point_real_t af2[SINGLE_POINT_RESTRICT],
+    const single_point_real_t group_delay[SINGLE_POINT_RESTRICT],
     single_point_real_t position[SINGLE_POINT_RESTRICT],
     single_point_real_t clock[SINGLE_POINT_RESTRICT],
     single_point_real_t velocity[SINGLE_POINT_RESTRICT],

@@ -16,6 +16,9 @@ extern "C" {
 
 /* Interface begins. */
 
+/** Epochs in one block of warpos_gps_retract. */
+#define WARPOS_GPS_RETRACT_LANES 32
+
 /**
  * @brief State moved by an error.
  *
@@ -64,6 +67,37 @@ warpos_gps_status_t warpos_gps_retract_batch(
     uint8_t status[WARPOS_GPS_RESTRICT]);
 
 /**
+ * @brief State moved by an error: many epochs that lie side by side in blocks.
+ *
+ * See warpos_gps_retract for the equation.
+ * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
+ * WARPOS_GPS_RETRACT_LANES + l]; epoch e is lane e % WARPOS_GPS_RETRACT_LANES of block e /
+ * WARPOS_GPS_RETRACT_LANES. Lanes behind the last epoch are neither read nor written, nor are
+ * outputs of an epoch whose status is not OK.
+ *
+ * @param[in]   epochs  Number of epochs.
+ * @param[in]   x       [blocks x 15 x WARPOS_GPS_RETRACT_LANES] State vector; its blocks, units and
+ *                      ranges stand in the header of the types.
+ * @param[in]   d       [blocks x 15 x WARPOS_GPS_RETRACT_LANES] [15] Error of leading; range -1e+09
+ *                      to 1e+09. m in f: Error of position; range -1e+09 to 1e+09. Error of
+ *                      trailing; range -1e+09 to 1e+09.
+ * @param[out]  value   [blocks x 15 x WARPOS_GPS_RETRACT_LANES] [15] Value of the equation.
+ * @param[out]  status  Status of every epoch, one byte each, in the order of the epochs.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+warpos_gps_status_t warpos_gps_retract_blocks(
+    int32_t epochs,
+    const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t d[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t value[WARPOS_GPS_RESTRICT],
+    uint8_t status[WARPOS_GPS_RESTRICT]);
+
+/** Epochs in one block of warpos_gps_local. */
+#define WARPOS_GPS_LOCAL_LANES 32
+
+/**
  * @brief Error between two states.
  *
  *     value = y (-) x, so that x (+) value = y
@@ -109,6 +143,36 @@ warpos_gps_status_t warpos_gps_local_batch(
     int32_t y_step,
     warpos_gps_real_t value[WARPOS_GPS_RESTRICT],
     uint8_t status[WARPOS_GPS_RESTRICT]);
+
+/**
+ * @brief Error between two states: many epochs that lie side by side in blocks.
+ *
+ * See warpos_gps_local for the equation.
+ * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
+ * WARPOS_GPS_LOCAL_LANES + l]; epoch e is lane e % WARPOS_GPS_LOCAL_LANES of block e /
+ * WARPOS_GPS_LOCAL_LANES. Lanes behind the last epoch are neither read nor written, nor are outputs
+ * of an epoch whose status is not OK.
+ *
+ * @param[in]   epochs  Number of epochs.
+ * @param[in]   x       [blocks x 15 x WARPOS_GPS_LOCAL_LANES] State vector; its blocks, units and
+ *                      ranges stand in the header of the types.
+ * @param[in]   y       [blocks x 15 x WARPOS_GPS_LOCAL_LANES] [15] range -1e+09 to 1e+09. m in f:
+ *                      range -1e+09 to 1e+09. range -1e+09 to 1e+09.
+ * @param[out]  value   [blocks x 15 x WARPOS_GPS_LOCAL_LANES] [15] Value of the equation.
+ * @param[out]  status  Status of every epoch, one byte each, in the order of the epochs.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+warpos_gps_status_t warpos_gps_local_blocks(
+    int32_t epochs,
+    const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t y[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t value[WARPOS_GPS_RESTRICT],
+    uint8_t status[WARPOS_GPS_RESTRICT]);
+
+/** Epochs in one block of warpos_gps_measurement. */
+#define WARPOS_GPS_MEASUREMENT_LANES 32
 
 /** Structural non-zeros of jacobian of warpos_gps_measurement. */
 #define WARPOS_GPS_MEASUREMENT_JACOBIAN_NNZ 3
@@ -219,6 +283,62 @@ warpos_gps_status_t warpos_gps_measurement_batch(
     warpos_gps_real_t value[WARPOS_GPS_RESTRICT],
     warpos_gps_real_t jacobian[WARPOS_GPS_RESTRICT],
     uint8_t status[WARPOS_GPS_RESTRICT]);
+
+/**
+ * @brief Position of a GNSS antenna: values and structural non-zeros of many epochs.
+ *
+ * See warpos_gps_measurement for the equation.
+ *
+ * @param[in]   epochs       Number of epochs.
+ * @param[in]   x            State vector; its blocks, units and ranges stand in the header of the
+ *                           types.
+ * @param[in]   x_step       Elements from one epoch of x to the next; 0 for the same.
+ * @param[out]  value        As in one call, epoch after epoch, by row: [epochs x 3].
+ * @param[out]  jacobian_nz  [epochs x 3] Structural non-zeros of jacobian, in the order of the
+ *                           tables.
+ * @param[out]  status       Status of every epoch, one byte each.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+warpos_gps_status_t warpos_gps_measurement_batch_nz(
+    int32_t epochs,
+    const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
+    int32_t x_step,
+    warpos_gps_real_t value[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t jacobian_nz[WARPOS_GPS_RESTRICT],
+    uint8_t status[WARPOS_GPS_RESTRICT]);
+
+/**
+ * @brief Position of a GNSS antenna: many epochs that lie side by side in blocks.
+ *
+ * See warpos_gps_measurement for the equation.
+ * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
+ * WARPOS_GPS_MEASUREMENT_LANES + l]; epoch e is lane e % WARPOS_GPS_MEASUREMENT_LANES of block e /
+ * WARPOS_GPS_MEASUREMENT_LANES. Lanes behind the last epoch are neither read nor written, nor are
+ * outputs of an epoch whose status is not OK.
+ *
+ * @param[in]   epochs       Number of epochs.
+ * @param[in]   x            [blocks x 15 x WARPOS_GPS_MEASUREMENT_LANES] State vector; its blocks,
+ *                           units and ranges stand in the header of the types.
+ * @param[out]  value        [blocks x 3 x WARPOS_GPS_MEASUREMENT_LANES] [3] m in f: Value of the
+ *                           equation.
+ * @param[out]  jacobian_nz  [blocks x 3 x WARPOS_GPS_MEASUREMENT_LANES] The 3 structural non-zeros
+ *                           of jacobian, in the order of the tables.
+ * @param[out]  status       Status of every epoch, one byte each, in the order of the epochs.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+warpos_gps_status_t warpos_gps_measurement_blocks(
+    int32_t epochs,
+    const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t value[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t jacobian_nz[WARPOS_GPS_RESTRICT],
+    uint8_t status[WARPOS_GPS_RESTRICT]);
+
+/** Epochs in one block of warpos_gps_measurement_by_column. */
+#define WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES 32
 
 /** Structural non-zeros of jacobian of warpos_gps_measurement_by_column. */
 #define WARPOS_GPS_MEASUREMENT_BY_COLUMN_JACOBIAN_NNZ 3
@@ -331,6 +451,63 @@ warpos_gps_status_t warpos_gps_measurement_by_column_batch(
     warpos_gps_real_t value[WARPOS_GPS_RESTRICT],
     warpos_gps_real_t jacobian[WARPOS_GPS_RESTRICT],
     uint8_t status[WARPOS_GPS_RESTRICT]);
+
+/**
+ * @brief Position of a GNSS antenna: values and structural non-zeros of many epochs.
+ *
+ * See warpos_gps_measurement_by_column for the equation.
+ *
+ * @param[in]   epochs       Number of epochs.
+ * @param[in]   x            State vector; its blocks, units and ranges stand in the header of the
+ *                           types.
+ * @param[in]   x_step       Elements from one epoch of x to the next; 0 for the same.
+ * @param[out]  value        As in one call, epoch after epoch, by row: [epochs x 3].
+ * @param[out]  jacobian_nz  [epochs x 3] Structural non-zeros of jacobian, in the order of the
+ *                           tables.
+ * @param[out]  status       Status of every epoch, one byte each.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+warpos_gps_status_t warpos_gps_measurement_by_column_batch_nz(
+    int32_t epochs,
+    const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
+    int32_t x_step,
+    warpos_gps_real_t value[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t jacobian_nz[WARPOS_GPS_RESTRICT],
+    uint8_t status[WARPOS_GPS_RESTRICT]);
+
+/**
+ * @brief Position of a GNSS antenna: many epochs that lie side by side in blocks.
+ *
+ * See warpos_gps_measurement_by_column for the equation.
+ * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
+ * WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES + l]; epoch e is lane e %
+ * WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES of block e / WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES. Lanes
+ * behind the last epoch are neither read nor written, nor are outputs of an epoch whose status is
+ * not OK.
+ *
+ * @param[in]   epochs       Number of epochs.
+ * @param[in]   x            [blocks x 15 x WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES] State vector;
+ *                           its blocks, units and ranges stand in the header of the types.
+ * @param[out]  value        [blocks x 3 x WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES] [3] m in f: Value
+ *                           of the equation.
+ * @param[out]  jacobian_nz  [blocks x 3 x WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES] The 3 structural
+ *                           non-zeros of jacobian, in the order of the tables.
+ * @param[out]  status       Status of every epoch, one byte each, in the order of the epochs.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+warpos_gps_status_t warpos_gps_measurement_by_column_blocks(
+    int32_t epochs,
+    const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t value[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t jacobian_nz[WARPOS_GPS_RESTRICT],
+    uint8_t status[WARPOS_GPS_RESTRICT]);
+
+/** Epochs in one block of warpos_gps_observed. */
+#define WARPOS_GPS_OBSERVED_LANES 32
 
 /** Structural non-zeros of jacobian of warpos_gps_observed. */
 #define WARPOS_GPS_OBSERVED_JACOBIAN_NNZ 9
@@ -468,6 +645,72 @@ warpos_gps_status_t warpos_gps_observed_batch(
     warpos_gps_real_t value[WARPOS_GPS_RESTRICT],
     warpos_gps_real_t jacobian[WARPOS_GPS_RESTRICT],
     uint8_t status[WARPOS_GPS_RESTRICT]);
+
+/**
+ * @brief Position of a GNSS antenna: values and structural non-zeros of many epochs.
+ *
+ * See warpos_gps_observed for the equation.
+ *
+ * @param[in]   epochs                  Number of epochs.
+ * @param[in]   x                       State vector; its blocks, units and ranges stand in the
+ *                                      header of the types.
+ * @param[in]   x_step                  Elements from one epoch of x to the next; 0 for the same.
+ * @param[in]   observer_attitude       [4] ref -> f: C, attitude of the observer's frame; unit
+ *                                      quaternion, order w x y z, q.q = 1 within 1e-05.
+ * @param[in]   observer_attitude_step  Elements from one epoch of observer_attitude to the next; 0
+ *                                      for the same.
+ * @param[out]  value                   As in one call, epoch after epoch, by row: [epochs x 3].
+ * @param[out]  jacobian_nz             [epochs x 9] Structural non-zeros of jacobian, in the order
+ *                                      of the tables.
+ * @param[out]  status                  Status of every epoch, one byte each.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+warpos_gps_status_t warpos_gps_observed_batch_nz(
+    int32_t epochs,
+    const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
+    int32_t x_step,
+    const warpos_gps_real_t observer_attitude[WARPOS_GPS_RESTRICT],
+    int32_t observer_attitude_step,
+    warpos_gps_real_t value[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t jacobian_nz[WARPOS_GPS_RESTRICT],
+    uint8_t status[WARPOS_GPS_RESTRICT]);
+
+/**
+ * @brief Position of a GNSS antenna: many epochs that lie side by side in blocks.
+ *
+ * See warpos_gps_observed for the equation.
+ * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
+ * WARPOS_GPS_OBSERVED_LANES + l]; epoch e is lane e % WARPOS_GPS_OBSERVED_LANES of block e /
+ * WARPOS_GPS_OBSERVED_LANES. Lanes behind the last epoch are neither read nor written, nor are
+ * outputs of an epoch whose status is not OK.
+ *
+ * @param[in]   epochs             Number of epochs.
+ * @param[in]   x                  [blocks x 15 x WARPOS_GPS_OBSERVED_LANES] State vector; its
+ *                                 blocks, units and ranges stand in the header of the types.
+ * @param[in]   observer_attitude  [blocks x 4 x WARPOS_GPS_OBSERVED_LANES] [4] ref -> f: C,
+ *                                 attitude of the observer's frame; unit quaternion, order w x y z,
+ *                                 q.q = 1 within 1e-05.
+ * @param[out]  value              [blocks x 3 x WARPOS_GPS_OBSERVED_LANES] [3] m in ref: Value of
+ *                                 the equation.
+ * @param[out]  jacobian_nz        [blocks x 9 x WARPOS_GPS_OBSERVED_LANES] The 9 structural
+ *                                 non-zeros of jacobian, in the order of the tables.
+ * @param[out]  status             Status of every epoch, one byte each, in the order of the epochs.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+warpos_gps_status_t warpos_gps_observed_blocks(
+    int32_t epochs,
+    const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t observer_attitude[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t value[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t jacobian_nz[WARPOS_GPS_RESTRICT],
+    uint8_t status[WARPOS_GPS_RESTRICT]);
+
+/** Epochs in one block of warpos_gps_observed_by_column. */
+#define WARPOS_GPS_OBSERVED_BY_COLUMN_LANES 32
 
 /** Structural non-zeros of jacobian of warpos_gps_observed_by_column. */
 #define WARPOS_GPS_OBSERVED_BY_COLUMN_JACOBIAN_NNZ 9
@@ -607,6 +850,72 @@ warpos_gps_status_t warpos_gps_observed_by_column_batch(
     uint8_t status[WARPOS_GPS_RESTRICT]);
 
 /**
+ * @brief Position of a GNSS antenna: values and structural non-zeros of many epochs.
+ *
+ * See warpos_gps_observed_by_column for the equation.
+ *
+ * @param[in]   epochs                  Number of epochs.
+ * @param[in]   x                       State vector; its blocks, units and ranges stand in the
+ *                                      header of the types.
+ * @param[in]   x_step                  Elements from one epoch of x to the next; 0 for the same.
+ * @param[in]   observer_attitude       [4] ref -> f: C, attitude of the observer's frame; unit
+ *                                      quaternion, order w x y z, q.q = 1 within 1e-05.
+ * @param[in]   observer_attitude_step  Elements from one epoch of observer_attitude to the next; 0
+ *                                      for the same.
+ * @param[out]  value                   As in one call, epoch after epoch, by row: [epochs x 3].
+ * @param[out]  jacobian_nz             [epochs x 9] Structural non-zeros of jacobian, in the order
+ *                                      of the tables.
+ * @param[out]  status                  Status of every epoch, one byte each.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+warpos_gps_status_t warpos_gps_observed_by_column_batch_nz(
+    int32_t epochs,
+    const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
+    int32_t x_step,
+    const warpos_gps_real_t observer_attitude[WARPOS_GPS_RESTRICT],
+    int32_t observer_attitude_step,
+    warpos_gps_real_t value[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t jacobian_nz[WARPOS_GPS_RESTRICT],
+    uint8_t status[WARPOS_GPS_RESTRICT]);
+
+/**
+ * @brief Position of a GNSS antenna: many epochs that lie side by side in blocks.
+ *
+ * See warpos_gps_observed_by_column for the equation.
+ * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
+ * WARPOS_GPS_OBSERVED_BY_COLUMN_LANES + l]; epoch e is lane e % WARPOS_GPS_OBSERVED_BY_COLUMN_LANES
+ * of block e / WARPOS_GPS_OBSERVED_BY_COLUMN_LANES. Lanes behind the last epoch are neither read
+ * nor written, nor are outputs of an epoch whose status is not OK.
+ *
+ * @param[in]   epochs             Number of epochs.
+ * @param[in]   x                  [blocks x 15 x WARPOS_GPS_OBSERVED_BY_COLUMN_LANES] State vector;
+ *                                 its blocks, units and ranges stand in the header of the types.
+ * @param[in]   observer_attitude  [blocks x 4 x WARPOS_GPS_OBSERVED_BY_COLUMN_LANES] [4] ref -> f:
+ *                                 C, attitude of the observer's frame; unit quaternion, order w x y
+ *                                 z, q.q = 1 within 1e-05.
+ * @param[out]  value              [blocks x 3 x WARPOS_GPS_OBSERVED_BY_COLUMN_LANES] [3] m in ref:
+ *                                 Value of the equation.
+ * @param[out]  jacobian_nz        [blocks x 9 x WARPOS_GPS_OBSERVED_BY_COLUMN_LANES] The 9
+ *                                 structural non-zeros of jacobian, in the order of the tables.
+ * @param[out]  status             Status of every epoch, one byte each, in the order of the epochs.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+warpos_gps_status_t warpos_gps_observed_by_column_blocks(
+    int32_t epochs,
+    const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t observer_attitude[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t value[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t jacobian_nz[WARPOS_GPS_RESTRICT],
+    uint8_t status[WARPOS_GPS_RESTRICT]);
+
+/** Epochs in one block of warpos_gps_to_state_frame. */
+#define WARPOS_GPS_TO_STATE_FRAME_LANES 32
+
+/**
  * @brief Receiver position transformed to the state's frame and origin.
  *
  *     pos_B_F__F = R_F_REF pos_GPS_I__REF - pos_F_I__F - R_F_B pos_GPS_B__B
@@ -696,6 +1005,55 @@ warpos_gps_status_t warpos_gps_to_state_frame_batch(
     int32_t lever_arm_step,
     const warpos_gps_real_t covariance_2[WARPOS_GPS_RESTRICT],
     int32_t covariance_2_step,
+    warpos_gps_real_t value[WARPOS_GPS_RESTRICT],
+    warpos_gps_real_t value_covariance[WARPOS_GPS_RESTRICT],
+    uint8_t status[WARPOS_GPS_RESTRICT]);
+
+/**
+ * @brief Receiver position transformed to the state's frame and origin: many epochs that lie side
+ *        by side in blocks.
+ *
+ * See warpos_gps_to_state_frame for the equation.
+ * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
+ * WARPOS_GPS_TO_STATE_FRAME_LANES + l]; epoch e is lane e % WARPOS_GPS_TO_STATE_FRAME_LANES of
+ * block e / WARPOS_GPS_TO_STATE_FRAME_LANES. Lanes behind the last epoch are neither read nor
+ * written, nor are outputs of an epoch whose status is not OK.
+ *
+ * @param[in]   epochs             Number of epochs.
+ * @param[in]   observer_attitude  [blocks x 4 x WARPOS_GPS_TO_STATE_FRAME_LANES] [4] ref -> f: C,
+ *                                 attitude of the observer's frame; unit quaternion, order w x y z,
+ *                                 q.q = 1 within 1e-05.
+ * @param[in]   receiver_position  [blocks x 3 x WARPOS_GPS_TO_STATE_FRAME_LANES] [3] m in ref: Fix
+ *                                 of the receiver in its reporting frame (pos_GPS_I__REF); range
+ *                                 -1e+09 to 1e+09.
+ * @param[in]   origin_offset      [blocks x 3 x WARPOS_GPS_TO_STATE_FRAME_LANES] [3] m in f: Origin
+ *                                 of the state frame from the reporting frame's, in the state frame
+ *                                 (pos_F_I__F); range -1e+09 to 1e+09.
+ * @param[in]   attitude           [blocks x 4 x WARPOS_GPS_TO_STATE_FRAME_LANES] [4] body -> f:
+ *                                 Attitude of the body (quat_F_B); unit quaternion, order w x y z,
+ *                                 q.q = 1 within 1e-05.
+ * @param[in]   lever_arm          [blocks x 3 x WARPOS_GPS_TO_STATE_FRAME_LANES] [3] m in body:
+ *                                 Antenna from the body origin, in the body frame; range -100 to
+ *                                 100.
+ * @param[in]   covariance_2       [blocks x 9 x WARPOS_GPS_TO_STATE_FRAME_LANES] [9] m^2:
+ *                                 Covariance of the fix, row-major; range -1e+12 to 1e+12.
+ * @param[out]  value              [blocks x 3 x WARPOS_GPS_TO_STATE_FRAME_LANES] [3] m in f: Value
+ *                                 of the equation.
+ * @param[out]  value_covariance   [blocks x 9 x WARPOS_GPS_TO_STATE_FRAME_LANES] [9] m^2:
+ *                                 Covariance of the value, row-major.
+ * @param[out]  status             Status of every epoch, one byte each, in the order of the epochs.
+ * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
+ *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
+ *         status says why).
+ */
+warpos_gps_status_t warpos_gps_to_state_frame_blocks(
+    int32_t epochs,
+    const warpos_gps_real_t observer_attitude[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t receiver_position[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t origin_offset[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t attitude[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t lever_arm[WARPOS_GPS_RESTRICT],
+    const warpos_gps_real_t covariance_2[WARPOS_GPS_RESTRICT],
     warpos_gps_real_t value[WARPOS_GPS_RESTRICT],
     warpos_gps_real_t value_covariance[WARPOS_GPS_RESTRICT],
     uint8_t status[WARPOS_GPS_RESTRICT]);
