@@ -62,10 +62,10 @@ class Blocks:
                 f"{title}: many epochs that lie side by side in blocks.",
                 (EPOCHS, *self._arguments(), *self._results()),
                 remark=(
-                    f"Element k of lane l of block b of an array of SIZE elements per epoch stands "
-                    f"at [(b * SIZE + k) * {self.macro} + l]; epoch e is lane e % {self.macro} of "
-                    f"block e / {self.macro}. Lanes behind the last epoch are neither read nor "
-                    "written, nor are outputs of an epoch whose status is not OK."
+                    "Element k of lane l of block b of an array of SIZE elements per epoch stands "
+                    f"at [(b * SIZE + k) * L + l], L = {self.macro}; epoch e is lane e % L of "
+                    "block e / L. Lanes behind the last epoch are neither read nor written, nor "
+                    "are outputs of an epoch whose status is not OK."
                 ),
             )
         )
@@ -132,10 +132,10 @@ class Blocks:
         return f"{output.name}_nz" if is_jacobian(output) else output.name
 
     def _arguments(self) -> list[Parameter]:
-        return Interface(self.kernel).blocked_arguments(self.macro)
+        return Interface(self.kernel).blocked_arguments()
 
     def _results(self) -> list[Parameter]:
-        return Interface(self.kernel).blocked_outputs(self.macro)
+        return Interface(self.kernel).blocked_outputs()
 
     @staticmethod
     def _declarations(parameters: Sequence[Parameter]) -> list[str]:

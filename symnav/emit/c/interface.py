@@ -74,37 +74,39 @@ class Interface:
             if output.entries or not is_jacobian(output)
         ]
 
-    def blocked_arguments(self, lanes: str) -> list[Parameter]:
-        """Inputs of a call for many epochs that lie side by side in blocks of ``lanes``."""
+    def blocked_arguments(self) -> list[Parameter]:
+        """Inputs of a call for many epochs that lie side by side in blocks."""
         return [
             self._blocked(
-                "const ", argument.name, argument.size, argument.integer, lanes,
+                "const ", argument.name, argument.size, argument.integer,
                 "in", _argument_text(argument, self.kernel.target.macro),
             )
             for argument in self.function.arguments
         ]  # fmt: skip
 
-    def blocked_outputs(self, lanes: str) -> list[Parameter]:
+    def blocked_outputs(self) -> list[Parameter]:
         """Outputs of such a call: values, non-zeros of Jacobians and the status of every epoch."""
         parameters = []
         for output in self.function.outputs:
             if not is_jacobian(output):
                 size, text = prod(output.shape), self._dense_text(output, 0)
-                parameters.append(self._blocked("", output.name, size, False, lanes, "out", text))
+                parameters.append(self._blocked("", output.name, size, False, "out", text))
             elif output.entries:
                 one = self._nonzeros(output)
                 size = len(output.entries)
-                parameters.append(self._blocked("", one.name, size, False, lanes, "out", one.text))
+                parameters.append(self._blocked("", one.name, size, False, "out", one.text))
         status = self._array("uint8_t", "status", "")
         text = "Status of every epoch, one byte each, in the order of the epochs."
         return [*parameters, Parameter(status, "status", True, "out", text)]
 
     def _blocked(
-        self, const: str, name: str, size: int, integer: bool, lanes: str, way: str, text: str
+        self, const: str, name: str, size: int, integer: bool, way: str, text: str
     ) -> Parameter:
         kind = "int32_t" if integer else self.kernel.target.real
         declared = const + self._array(kind, name, "")
-        return Parameter(declared, name, True, way, f"[blocks x {size} x {lanes}] {text}")
+        # The shape of one epoch is part of the shape of a block.
+        meaning = text.partition("] ")[2] if text.startswith("[") else text
+        return Parameter(declared, name, True, way, f"[blocks x {size} x L] {meaning}")
 
     def stacked_outputs(self, *, nonzeros: bool = False) -> list[Parameter]:
         """Outputs of a call for many epochs: Jacobians in full, or their non-zeros."""
