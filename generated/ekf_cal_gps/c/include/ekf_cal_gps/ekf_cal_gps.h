@@ -81,20 +81,19 @@ ekf_cal_gps_status_t ekf_cal_gps_retract_batch(
  *
  * See ekf_cal_gps_retract for the equation.
  * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
- * EKF_CAL_GPS_RETRACT_LANES + l]; epoch e is lane e % EKF_CAL_GPS_RETRACT_LANES of block e /
- * EKF_CAL_GPS_RETRACT_LANES. Lanes behind the last epoch are neither read nor written, nor are
- * outputs of an epoch whose status is not OK.
+ * L + l], L = EKF_CAL_GPS_RETRACT_LANES; epoch e is lane e % L of block e / L. Lanes behind the
+ * last epoch are neither read nor written, nor are outputs of an epoch whose status is not OK.
  *
  * @param[in]   epochs  Number of epochs.
- * @param[in]   x       [blocks x 22 x EKF_CAL_GPS_RETRACT_LANES] State vector; its blocks, units
- *                      and ranges stand in the header of the types.
- * @param[in]   d       [blocks x 21 x EKF_CAL_GPS_RETRACT_LANES] [21] m in l: Error of position;
- *                      range -1e+09 to 1e+09. m/s in l: Error of velocity; range -1e+09 to 1e+09.
- *                      m/s^2 in l: Error of acceleration; range -1e+09 to 1e+09. rad in b: Error of
- *                      attitude; range -6 to 6. rad/s in l: Error of angular_rate; range -1e+09 to
- *                      1e+09. rad/s^2 in l: Error of angular_acceleration; range -1e+09 to 1e+09. m
- *                      in b: Error of antenna; range -1e+09 to 1e+09.
- * @param[out]  value   [blocks x 22 x EKF_CAL_GPS_RETRACT_LANES] [22] Value of the equation.
+ * @param[in]   x       [blocks x 22 x L] State vector; its blocks, units and ranges stand in the
+ *                      header of the types.
+ * @param[in]   d       [blocks x 21 x L] m in l: Error of position; range -1e+09 to 1e+09. m/s in
+ *                      l: Error of velocity; range -1e+09 to 1e+09. m/s^2 in l: Error of
+ *                      acceleration; range -1e+09 to 1e+09. rad in b: Error of attitude; range -6
+ *                      to 6. rad/s in l: Error of angular_rate; range -1e+09 to 1e+09. rad/s^2 in
+ *                      l: Error of angular_acceleration; range -1e+09 to 1e+09. m in b: Error of
+ *                      antenna; range -1e+09 to 1e+09.
+ * @param[out]  value   [blocks x 22 x L] Value of the equation.
  * @param[out]  status  Status of every epoch, one byte each, in the order of the epochs.
  * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
  *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
@@ -168,19 +167,17 @@ ekf_cal_gps_status_t ekf_cal_gps_local_batch(
  *
  * See ekf_cal_gps_local for the equation.
  * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
- * EKF_CAL_GPS_LOCAL_LANES + l]; epoch e is lane e % EKF_CAL_GPS_LOCAL_LANES of block e /
- * EKF_CAL_GPS_LOCAL_LANES. Lanes behind the last epoch are neither read nor written, nor are
- * outputs of an epoch whose status is not OK.
+ * L + l], L = EKF_CAL_GPS_LOCAL_LANES; epoch e is lane e % L of block e / L. Lanes behind the last
+ * epoch are neither read nor written, nor are outputs of an epoch whose status is not OK.
  *
  * @param[in]   epochs  Number of epochs.
- * @param[in]   x       [blocks x 22 x EKF_CAL_GPS_LOCAL_LANES] State vector; its blocks, units and
- *                      ranges stand in the header of the types.
- * @param[in]   y       [blocks x 22 x EKF_CAL_GPS_LOCAL_LANES] [22] m in l: range -1e+06 to 1e+06.
- *                      m/s in l: range -1e+09 to 1e+09. m/s^2 in l: range -1e+09 to 1e+09. b -> l:
- *                      unit quaternion, order w x y z, q.q = 1 within 1e-05. rad/s in l: range
- *                      -1e+09 to 1e+09. rad/s^2 in l: range -1e+09 to 1e+09. m in b: range -50 to
- *                      50.
- * @param[out]  value   [blocks x 21 x EKF_CAL_GPS_LOCAL_LANES] [21] Value of the equation.
+ * @param[in]   x       [blocks x 22 x L] State vector; its blocks, units and ranges stand in the
+ *                      header of the types.
+ * @param[in]   y       [blocks x 22 x L] m in l: range -1e+06 to 1e+06. m/s in l: range -1e+09 to
+ *                      1e+09. m/s^2 in l: range -1e+09 to 1e+09. b -> l: unit quaternion, order w x
+ *                      y z, q.q = 1 within 1e-05. rad/s in l: range -1e+09 to 1e+09. rad/s^2 in l:
+ *                      range -1e+09 to 1e+09. m in b: range -50 to 50.
+ * @param[out]  value   [blocks x 21 x L] Value of the equation.
  * @param[out]  status  Status of every epoch, one byte each, in the order of the epochs.
  * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
  *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
@@ -369,20 +366,17 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_batch_nz(
  *
  * See ekf_cal_gps_gps for the equation.
  * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
- * EKF_CAL_GPS_GPS_LANES + l]; epoch e is lane e % EKF_CAL_GPS_GPS_LANES of block e /
- * EKF_CAL_GPS_GPS_LANES. Lanes behind the last epoch are neither read nor written, nor are outputs
- * of an epoch whose status is not OK.
+ * L + l], L = EKF_CAL_GPS_GPS_LANES; epoch e is lane e % L of block e / L. Lanes behind the last
+ * epoch are neither read nor written, nor are outputs of an epoch whose status is not OK.
  *
  * @param[in]   epochs       Number of epochs.
- * @param[in]   x            [blocks x 22 x EKF_CAL_GPS_GPS_LANES] State vector; its blocks, units
- *                           and ranges stand in the header of the types.
- * @param[in]   measured     [blocks x 3 x EKF_CAL_GPS_GPS_LANES] [3] m in l: Measured value; range
- *                           -1e+09 to 1e+09.
- * @param[out]  value        [blocks x 3 x EKF_CAL_GPS_GPS_LANES] [3] m in l: Value of the equation.
- * @param[out]  residual     [blocks x 3 x EKF_CAL_GPS_GPS_LANES] [3] m in l: Measured less
- *                           predicted value.
- * @param[out]  jacobian_nz  [blocks x 21 x EKF_CAL_GPS_GPS_LANES] The 21 structural non-zeros of
- *                           jacobian, in the order of the tables.
+ * @param[in]   x            [blocks x 22 x L] State vector; its blocks, units and ranges stand in
+ *                           the header of the types.
+ * @param[in]   measured     [blocks x 3 x L] m in l: Measured value; range -1e+09 to 1e+09.
+ * @param[out]  value        [blocks x 3 x L] m in l: Value of the equation.
+ * @param[out]  residual     [blocks x 3 x L] m in l: Measured less predicted value.
+ * @param[out]  jacobian_nz  [blocks x 21 x L] The 21 structural non-zeros of jacobian, in the order
+ *                           of the tables.
  * @param[out]  status       Status of every epoch, one byte each, in the order of the epochs.
  * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
  *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
@@ -593,23 +587,20 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_batch_nz(
  *
  * See ekf_cal_gps_gps_known_antenna for the equation.
  * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
- * EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES + l]; epoch e is lane e % EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES
- * of block e / EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES. Lanes behind the last epoch are neither read
- * nor written, nor are outputs of an epoch whose status is not OK.
+ * L + l], L = EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES; epoch e is lane e % L of block e / L. Lanes
+ * behind the last epoch are neither read nor written, nor are outputs of an epoch whose status is
+ * not OK.
  *
  * @param[in]   epochs       Number of epochs.
- * @param[in]   x            [blocks x 22 x EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES] State vector; its
- *                           blocks, units and ranges stand in the header of the types.
- * @param[in]   lever_arm    [blocks x 3 x EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES] [3] m in b: Antenna
- *                           from the body origin, in the body frame; range -100 to 100.
- * @param[in]   measured     [blocks x 3 x EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES] [3] m in l: Measured
- *                           value; range -1e+09 to 1e+09.
- * @param[out]  value        [blocks x 3 x EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES] [3] m in l: Value of
- *                           the equation.
- * @param[out]  residual     [blocks x 3 x EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES] [3] m in l: Measured
- *                           less predicted value.
- * @param[out]  jacobian_nz  [blocks x 12 x EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES] The 12 structural
- *                           non-zeros of jacobian, in the order of the tables.
+ * @param[in]   x            [blocks x 22 x L] State vector; its blocks, units and ranges stand in
+ *                           the header of the types.
+ * @param[in]   lever_arm    [blocks x 3 x L] m in b: Antenna from the body origin, in the body
+ *                           frame; range -100 to 100.
+ * @param[in]   measured     [blocks x 3 x L] m in l: Measured value; range -1e+09 to 1e+09.
+ * @param[out]  value        [blocks x 3 x L] m in l: Value of the equation.
+ * @param[out]  residual     [blocks x 3 x L] m in l: Measured less predicted value.
+ * @param[out]  jacobian_nz  [blocks x 12 x L] The 12 structural non-zeros of jacobian, in the order
+ *                           of the tables.
  * @param[out]  status       Status of every epoch, one byte each, in the order of the epochs.
  * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
  *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
@@ -851,28 +842,23 @@ ekf_cal_gps_status_t ekf_cal_gps_local_fix_batch_nz(
  *
  * See ekf_cal_gps_local_fix for the equation.
  * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
- * EKF_CAL_GPS_LOCAL_FIX_LANES + l]; epoch e is lane e % EKF_CAL_GPS_LOCAL_FIX_LANES of block e /
- * EKF_CAL_GPS_LOCAL_FIX_LANES. Lanes behind the last epoch are neither read nor written, nor are
- * outputs of an epoch whose status is not OK.
+ * L + l], L = EKF_CAL_GPS_LOCAL_FIX_LANES; epoch e is lane e % L of block e / L. Lanes behind the
+ * last epoch are neither read nor written, nor are outputs of an epoch whose status is not OK.
  *
  * @param[in]   epochs            Number of epochs.
- * @param[in]   heading           [blocks x 1 x EKF_CAL_GPS_LOCAL_FIX_LANES] [1] rad g -> l: Heading
- *                                of the local frame; range -3.14159 to 3.14159.
- * @param[in]   fix               [blocks x 3 x EKF_CAL_GPS_LOCAL_FIX_LANES] [3] rad: Latitude,
- *                                longitude, height of the fix; range -1.56905 to 1.56905, -3.14159
- *                                to 3.14159, -10000 to 1e+07.
- * @param[in]   reference_2       [blocks x 3 x EKF_CAL_GPS_LOCAL_FIX_LANES] [3] rad: Latitude,
- *                                longitude, height of the local origin; range -1.56905 to 1.56905,
- *                                -3.14159 to 3.14159, -10000 to 1e+07.
- * @param[in]   covariance_2      [blocks x 9 x EKF_CAL_GPS_LOCAL_FIX_LANES] [9] Covariance of
- *                                latitude, longitude (rad^2), height (m^2), row-major; range -1e+12
- *                                to 1e+12.
- * @param[out]  value             [blocks x 3 x EKF_CAL_GPS_LOCAL_FIX_LANES] [3] m in l: Value of
- *                                the equation.
- * @param[out]  jacobian_fix_nz   [blocks x 9 x EKF_CAL_GPS_LOCAL_FIX_LANES] The 9 structural
- *                                non-zeros of jacobian_fix, in the order of the tables.
- * @param[out]  value_covariance  [blocks x 9 x EKF_CAL_GPS_LOCAL_FIX_LANES] [9] m^2: Covariance of
- *                                the value, row-major.
+ * @param[in]   heading           [blocks x 1 x L] rad g -> l: Heading of the local frame; range
+ *                                -3.14159 to 3.14159.
+ * @param[in]   fix               [blocks x 3 x L] rad: Latitude, longitude, height of the fix;
+ *                                range -1.56905 to 1.56905, -3.14159 to 3.14159, -10000 to 1e+07.
+ * @param[in]   reference_2       [blocks x 3 x L] rad: Latitude, longitude, height of the local
+ *                                origin; range -1.56905 to 1.56905, -3.14159 to 3.14159, -10000 to
+ *                                1e+07.
+ * @param[in]   covariance_2      [blocks x 9 x L] Covariance of latitude, longitude (rad^2), height
+ *                                (m^2), row-major; range -1e+12 to 1e+12.
+ * @param[out]  value             [blocks x 3 x L] m in l: Value of the equation.
+ * @param[out]  jacobian_fix_nz   [blocks x 9 x L] The 9 structural non-zeros of jacobian_fix, in
+ *                                the order of the tables.
+ * @param[out]  value_covariance  [blocks x 9 x L] m^2: Covariance of the value, row-major.
  * @param[out]  status            Status of every epoch, one byte each, in the order of the epochs.
  * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
  *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own

@@ -83,21 +83,20 @@ ekf_cal_online_status_t ekf_cal_online_retract_batch(
  *
  * See ekf_cal_online_retract for the equation.
  * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
- * EKF_CAL_ONLINE_RETRACT_LANES + l]; epoch e is lane e % EKF_CAL_ONLINE_RETRACT_LANES of block e /
- * EKF_CAL_ONLINE_RETRACT_LANES. Lanes behind the last epoch are neither read nor written, nor are
- * outputs of an epoch whose status is not OK.
+ * L + l], L = EKF_CAL_ONLINE_RETRACT_LANES; epoch e is lane e % L of block e / L. Lanes behind the
+ * last epoch are neither read nor written, nor are outputs of an epoch whose status is not OK.
  *
  * @param[in]   epochs  Number of epochs.
- * @param[in]   x       [blocks x 26 x EKF_CAL_ONLINE_RETRACT_LANES] State vector; its blocks, units
- *                      and ranges stand in the header of the types.
- * @param[in]   d       [blocks x 25 x EKF_CAL_ONLINE_RETRACT_LANES] [25] m in l: Error of position;
- *                      range -1e+09 to 1e+09. m/s in l: Error of velocity; range -1e+09 to 1e+09.
- *                      m/s^2 in l: Error of acceleration; range -1e+09 to 1e+09. rad in b: Error of
- *                      attitude; range -6 to 6. rad/s in l: Error of angular_rate; range -1e+09 to
- *                      1e+09. rad/s^2 in l: Error of angular_acceleration; range -1e+09 to 1e+09.
- *                      rad: Error of heading; range -6 to 6. m in b: Error of antenna_1; range
- *                      -1e+09 to 1e+09. m in b: Error of antenna_2; range -1e+09 to 1e+09.
- * @param[out]  value   [blocks x 26 x EKF_CAL_ONLINE_RETRACT_LANES] [26] Value of the equation.
+ * @param[in]   x       [blocks x 26 x L] State vector; its blocks, units and ranges stand in the
+ *                      header of the types.
+ * @param[in]   d       [blocks x 25 x L] m in l: Error of position; range -1e+09 to 1e+09. m/s in
+ *                      l: Error of velocity; range -1e+09 to 1e+09. m/s^2 in l: Error of
+ *                      acceleration; range -1e+09 to 1e+09. rad in b: Error of attitude; range -6
+ *                      to 6. rad/s in l: Error of angular_rate; range -1e+09 to 1e+09. rad/s^2 in
+ *                      l: Error of angular_acceleration; range -1e+09 to 1e+09. rad: Error of
+ *                      heading; range -6 to 6. m in b: Error of antenna_1; range -1e+09 to 1e+09. m
+ *                      in b: Error of antenna_2; range -1e+09 to 1e+09.
+ * @param[out]  value   [blocks x 26 x L] Value of the equation.
  * @param[out]  status  Status of every epoch, one byte each, in the order of the epochs.
  * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
  *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
@@ -173,19 +172,18 @@ ekf_cal_online_status_t ekf_cal_online_local_batch(
  *
  * See ekf_cal_online_local for the equation.
  * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
- * EKF_CAL_ONLINE_LOCAL_LANES + l]; epoch e is lane e % EKF_CAL_ONLINE_LOCAL_LANES of block e /
- * EKF_CAL_ONLINE_LOCAL_LANES. Lanes behind the last epoch are neither read nor written, nor are
- * outputs of an epoch whose status is not OK.
+ * L + l], L = EKF_CAL_ONLINE_LOCAL_LANES; epoch e is lane e % L of block e / L. Lanes behind the
+ * last epoch are neither read nor written, nor are outputs of an epoch whose status is not OK.
  *
  * @param[in]   epochs  Number of epochs.
- * @param[in]   x       [blocks x 26 x EKF_CAL_ONLINE_LOCAL_LANES] State vector; its blocks, units
- *                      and ranges stand in the header of the types.
- * @param[in]   y       [blocks x 26 x EKF_CAL_ONLINE_LOCAL_LANES] [26] m in l: range -1e+06 to
- *                      1e+06. m/s in l: range -1e+09 to 1e+09. m/s^2 in l: range -1e+09 to 1e+09. b
- *                      -> l: unit quaternion, order w x y z, q.q = 1 within 1e-05. rad/s in l:
- *                      range -1e+09 to 1e+09. rad/s^2 in l: range -1e+09 to 1e+09. rad g -> l:
- *                      range -3.14159 to 3.14159. m in b: range -50 to 50. m in b: range -50 to 50.
- * @param[out]  value   [blocks x 25 x EKF_CAL_ONLINE_LOCAL_LANES] [25] Value of the equation.
+ * @param[in]   x       [blocks x 26 x L] State vector; its blocks, units and ranges stand in the
+ *                      header of the types.
+ * @param[in]   y       [blocks x 26 x L] m in l: range -1e+06 to 1e+06. m/s in l: range -1e+09 to
+ *                      1e+09. m/s^2 in l: range -1e+09 to 1e+09. b -> l: unit quaternion, order w x
+ *                      y z, q.q = 1 within 1e-05. rad/s in l: range -1e+09 to 1e+09. rad/s^2 in l:
+ *                      range -1e+09 to 1e+09. rad g -> l: range -3.14159 to 3.14159. m in b: range
+ *                      -50 to 50. m in b: range -50 to 50.
+ * @param[out]  value   [blocks x 25 x L] Value of the equation.
  * @param[out]  status  Status of every epoch, one byte each, in the order of the epochs.
  * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
  *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
@@ -426,26 +424,21 @@ ekf_cal_online_status_t ekf_cal_online_gps_1_batch_nz(
  *
  * See ekf_cal_online_gps_1 for the equation.
  * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
- * EKF_CAL_ONLINE_GPS_1_LANES + l]; epoch e is lane e % EKF_CAL_ONLINE_GPS_1_LANES of block e /
- * EKF_CAL_ONLINE_GPS_1_LANES. Lanes behind the last epoch are neither read nor written, nor are
- * outputs of an epoch whose status is not OK.
+ * L + l], L = EKF_CAL_ONLINE_GPS_1_LANES; epoch e is lane e % L of block e / L. Lanes behind the
+ * last epoch are neither read nor written, nor are outputs of an epoch whose status is not OK.
  *
  * @param[in]   epochs              Number of epochs.
- * @param[in]   x                   [blocks x 26 x EKF_CAL_ONLINE_GPS_1_LANES] State vector; its
- *                                  blocks, units and ranges stand in the header of the types.
- * @param[in]   origin              [blocks x 3 x EKF_CAL_ONLINE_GPS_1_LANES] [3] m in g: Position
- *                                  of the local frame's origin in the observer's frame (p_L^G);
- *                                  range -1e+07 to 1e+07.
- * @param[in]   measured            [blocks x 3 x EKF_CAL_ONLINE_GPS_1_LANES] [3] m in g: Measured
- *                                  value; range -1e+09 to 1e+09.
- * @param[out]  value               [blocks x 3 x EKF_CAL_ONLINE_GPS_1_LANES] [3] m in g: Value of
- *                                  the equation.
- * @param[out]  residual            [blocks x 3 x EKF_CAL_ONLINE_GPS_1_LANES] [3] m in g: Measured
- *                                  less predicted value.
- * @param[out]  jacobian_nz         [blocks x 25 x EKF_CAL_ONLINE_GPS_1_LANES] The 25 structural
- *                                  non-zeros of jacobian, in the order of the tables.
- * @param[out]  jacobian_origin_nz  [blocks x 3 x EKF_CAL_ONLINE_GPS_1_LANES] The 3 structural
- *                                  non-zeros of jacobian_origin, in the order of the tables.
+ * @param[in]   x                   [blocks x 26 x L] State vector; its blocks, units and ranges
+ *                                  stand in the header of the types.
+ * @param[in]   origin              [blocks x 3 x L] m in g: Position of the local frame's origin in
+ *                                  the observer's frame (p_L^G); range -1e+07 to 1e+07.
+ * @param[in]   measured            [blocks x 3 x L] m in g: Measured value; range -1e+09 to 1e+09.
+ * @param[out]  value               [blocks x 3 x L] m in g: Value of the equation.
+ * @param[out]  residual            [blocks x 3 x L] m in g: Measured less predicted value.
+ * @param[out]  jacobian_nz         [blocks x 25 x L] The 25 structural non-zeros of jacobian, in
+ *                                  the order of the tables.
+ * @param[out]  jacobian_origin_nz  [blocks x 3 x L] The 3 structural non-zeros of jacobian_origin,
+ *                                  in the order of the tables.
  * @param[out]  status              Status of every epoch, one byte each, in the order of the
  *                                  epochs.
  * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
@@ -691,26 +684,21 @@ ekf_cal_online_status_t ekf_cal_online_gps_2_batch_nz(
  *
  * See ekf_cal_online_gps_2 for the equation.
  * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
- * EKF_CAL_ONLINE_GPS_2_LANES + l]; epoch e is lane e % EKF_CAL_ONLINE_GPS_2_LANES of block e /
- * EKF_CAL_ONLINE_GPS_2_LANES. Lanes behind the last epoch are neither read nor written, nor are
- * outputs of an epoch whose status is not OK.
+ * L + l], L = EKF_CAL_ONLINE_GPS_2_LANES; epoch e is lane e % L of block e / L. Lanes behind the
+ * last epoch are neither read nor written, nor are outputs of an epoch whose status is not OK.
  *
  * @param[in]   epochs              Number of epochs.
- * @param[in]   x                   [blocks x 26 x EKF_CAL_ONLINE_GPS_2_LANES] State vector; its
- *                                  blocks, units and ranges stand in the header of the types.
- * @param[in]   origin              [blocks x 3 x EKF_CAL_ONLINE_GPS_2_LANES] [3] m in g: Position
- *                                  of the local frame's origin in the observer's frame (p_L^G);
- *                                  range -1e+07 to 1e+07.
- * @param[in]   measured            [blocks x 3 x EKF_CAL_ONLINE_GPS_2_LANES] [3] m in g: Measured
- *                                  value; range -1e+09 to 1e+09.
- * @param[out]  value               [blocks x 3 x EKF_CAL_ONLINE_GPS_2_LANES] [3] m in g: Value of
- *                                  the equation.
- * @param[out]  residual            [blocks x 3 x EKF_CAL_ONLINE_GPS_2_LANES] [3] m in g: Measured
- *                                  less predicted value.
- * @param[out]  jacobian_nz         [blocks x 25 x EKF_CAL_ONLINE_GPS_2_LANES] The 25 structural
- *                                  non-zeros of jacobian, in the order of the tables.
- * @param[out]  jacobian_origin_nz  [blocks x 3 x EKF_CAL_ONLINE_GPS_2_LANES] The 3 structural
- *                                  non-zeros of jacobian_origin, in the order of the tables.
+ * @param[in]   x                   [blocks x 26 x L] State vector; its blocks, units and ranges
+ *                                  stand in the header of the types.
+ * @param[in]   origin              [blocks x 3 x L] m in g: Position of the local frame's origin in
+ *                                  the observer's frame (p_L^G); range -1e+07 to 1e+07.
+ * @param[in]   measured            [blocks x 3 x L] m in g: Measured value; range -1e+09 to 1e+09.
+ * @param[out]  value               [blocks x 3 x L] m in g: Value of the equation.
+ * @param[out]  residual            [blocks x 3 x L] m in g: Measured less predicted value.
+ * @param[out]  jacobian_nz         [blocks x 25 x L] The 25 structural non-zeros of jacobian, in
+ *                                  the order of the tables.
+ * @param[out]  jacobian_origin_nz  [blocks x 3 x L] The 3 structural non-zeros of jacobian_origin,
+ *                                  in the order of the tables.
  * @param[out]  status              Status of every epoch, one byte each, in the order of the
  *                                  epochs.
  * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or

@@ -80,21 +80,19 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_retract_batch(
  *
  * See farrell_tightly_coupled_retract for the equation.
  * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
- * FARRELL_TIGHTLY_COUPLED_RETRACT_LANES + l]; epoch e is lane e %
- * FARRELL_TIGHTLY_COUPLED_RETRACT_LANES of block e / FARRELL_TIGHTLY_COUPLED_RETRACT_LANES. Lanes
+ * L + l], L = FARRELL_TIGHTLY_COUPLED_RETRACT_LANES; epoch e is lane e % L of block e / L. Lanes
  * behind the last epoch are neither read nor written, nor are outputs of an epoch whose status is
  * not OK.
  *
  * @param[in]   epochs  Number of epochs.
- * @param[in]   x       [blocks x 18 x FARRELL_TIGHTLY_COUPLED_RETRACT_LANES] State vector; its
- *                      blocks, units and ranges stand in the header of the types.
- * @param[in]   d       [blocks x 17 x FARRELL_TIGHTLY_COUPLED_RETRACT_LANES] [17] m in n: Error of
- *                      dp; range -1e+09 to 1e+09. m: Error of b_u; range -1e+09 to 1e+09. m/s in n:
- *                      Error of dv; range -1e+09 to 1e+09. m/s: Error of b_u_dot; range -1e+09 to
- *                      1e+09. rad in n: Error of drho; range -6 to 6. m/s^2 in b: Error of x_a;
- *                      range -1e+09 to 1e+09. rad/s in b: Error of x_g; range -1e+09 to 1e+09.
- * @param[out]  value   [blocks x 18 x FARRELL_TIGHTLY_COUPLED_RETRACT_LANES] [18] Value of the
- *                      equation.
+ * @param[in]   x       [blocks x 18 x L] State vector; its blocks, units and ranges stand in the
+ *                      header of the types.
+ * @param[in]   d       [blocks x 17 x L] m in n: Error of dp; range -1e+09 to 1e+09. m: Error of
+ *                      b_u; range -1e+09 to 1e+09. m/s in n: Error of dv; range -1e+09 to 1e+09.
+ *                      m/s: Error of b_u_dot; range -1e+09 to 1e+09. rad in n: Error of drho; range
+ *                      -6 to 6. m/s^2 in b: Error of x_a; range -1e+09 to 1e+09. rad/s in b: Error
+ *                      of x_g; range -1e+09 to 1e+09.
+ * @param[out]  value   [blocks x 18 x L] Value of the equation.
  * @param[out]  status  Status of every epoch, one byte each, in the order of the epochs.
  * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
  *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
@@ -173,22 +171,20 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_local_batch(
  *
  * See farrell_tightly_coupled_local for the equation.
  * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
- * FARRELL_TIGHTLY_COUPLED_LOCAL_LANES + l]; epoch e is lane e % FARRELL_TIGHTLY_COUPLED_LOCAL_LANES
- * of block e / FARRELL_TIGHTLY_COUPLED_LOCAL_LANES. Lanes behind the last epoch are neither read
- * nor written, nor are outputs of an epoch whose status is not OK.
+ * L + l], L = FARRELL_TIGHTLY_COUPLED_LOCAL_LANES; epoch e is lane e % L of block e / L. Lanes
+ * behind the last epoch are neither read nor written, nor are outputs of an epoch whose status is
+ * not OK.
  *
  * @param[in]   epochs  Number of epochs.
- * @param[in]   x       [blocks x 18 x FARRELL_TIGHTLY_COUPLED_LOCAL_LANES] State vector; its
- *                      blocks, units and ranges stand in the header of the types.
- * @param[in]   y       [blocks x 18 x FARRELL_TIGHTLY_COUPLED_LOCAL_LANES] [18] m in n: Position
- *                      from the origin of the tangent plane; range -1e+06 to 1e+06. m: Receiver
- *                      clock bias; range -1e+08 to 1e+08. m/s in n: Velocity; range -1e+09 to
- *                      1e+09. m/s: Receiver clock drift; range -1e+09 to 1e+09. b -> n: Attitude,
- *                      whose error the book calls rho; unit quaternion, order w x y z, q.q = 1
- *                      within 1e-05. m/s^2 in b: Accelerometer bias; range -1e+09 to 1e+09. rad/s
- *                      in b: Gyro bias; range -1e+09 to 1e+09.
- * @param[out]  value   [blocks x 17 x FARRELL_TIGHTLY_COUPLED_LOCAL_LANES] [17] Value of the
- *                      equation.
+ * @param[in]   x       [blocks x 18 x L] State vector; its blocks, units and ranges stand in the
+ *                      header of the types.
+ * @param[in]   y       [blocks x 18 x L] m in n: Position from the origin of the tangent plane;
+ *                      range -1e+06 to 1e+06. m: Receiver clock bias; range -1e+08 to 1e+08. m/s in
+ *                      n: Velocity; range -1e+09 to 1e+09. m/s: Receiver clock drift; range -1e+09
+ *                      to 1e+09. b -> n: Attitude, whose error the book calls rho; unit quaternion,
+ *                      order w x y z, q.q = 1 within 1e-05. m/s^2 in b: Accelerometer bias; range
+ *                      -1e+09 to 1e+09. rad/s in b: Gyro bias; range -1e+09 to 1e+09.
+ * @param[out]  value   [blocks x 17 x L] Value of the equation.
  * @param[out]  status  Status of every epoch, one byte each, in the order of the epochs.
  * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
  *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own

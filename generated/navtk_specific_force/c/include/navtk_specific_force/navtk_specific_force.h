@@ -78,20 +78,18 @@ navtk_specific_force_status_t navtk_specific_force_retract_batch(
  *
  * See navtk_specific_force_retract for the equation.
  * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
- * NAVTK_SPECIFIC_FORCE_RETRACT_LANES + l]; epoch e is lane e % NAVTK_SPECIFIC_FORCE_RETRACT_LANES
- * of block e / NAVTK_SPECIFIC_FORCE_RETRACT_LANES. Lanes behind the last epoch are neither read nor
- * written, nor are outputs of an epoch whose status is not OK.
+ * L + l], L = NAVTK_SPECIFIC_FORCE_RETRACT_LANES; epoch e is lane e % L of block e / L. Lanes
+ * behind the last epoch are neither read nor written, nor are outputs of an epoch whose status is
+ * not OK.
  *
  * @param[in]   epochs  Number of epochs.
- * @param[in]   x       [blocks x 16 x NAVTK_SPECIFIC_FORCE_RETRACT_LANES] State vector; its blocks,
- *                      units and ranges stand in the header of the types.
- * @param[in]   d       [blocks x 15 x NAVTK_SPECIFIC_FORCE_RETRACT_LANES] [15] m in n: Error of
- *                      position; range -1e+09 to 1e+09. m/s in n: Error of velocity; range -1e+09
- *                      to 1e+09. rad in n: Error of attitude; range -6 to 6. m/s^2 in s: Error of
- *                      accelerometer_bias; range -1e+09 to 1e+09. rad/s in s: Error of gyro_bias;
- *                      range -1e+09 to 1e+09.
- * @param[out]  value   [blocks x 16 x NAVTK_SPECIFIC_FORCE_RETRACT_LANES] [16] Value of the
- *                      equation.
+ * @param[in]   x       [blocks x 16 x L] State vector; its blocks, units and ranges stand in the
+ *                      header of the types.
+ * @param[in]   d       [blocks x 15 x L] m in n: Error of position; range -1e+09 to 1e+09. m/s in
+ *                      n: Error of velocity; range -1e+09 to 1e+09. rad in n: Error of attitude;
+ *                      range -6 to 6. m/s^2 in s: Error of accelerometer_bias; range -1e+09 to
+ *                      1e+09. rad/s in s: Error of gyro_bias; range -1e+09 to 1e+09.
+ * @param[out]  value   [blocks x 16 x L] Value of the equation.
  * @param[out]  status  Status of every epoch, one byte each, in the order of the epochs.
  * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
  *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
@@ -164,18 +162,16 @@ navtk_specific_force_status_t navtk_specific_force_local_batch(
  *
  * See navtk_specific_force_local for the equation.
  * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
- * NAVTK_SPECIFIC_FORCE_LOCAL_LANES + l]; epoch e is lane e % NAVTK_SPECIFIC_FORCE_LOCAL_LANES of
- * block e / NAVTK_SPECIFIC_FORCE_LOCAL_LANES. Lanes behind the last epoch are neither read nor
- * written, nor are outputs of an epoch whose status is not OK.
+ * L + l], L = NAVTK_SPECIFIC_FORCE_LOCAL_LANES; epoch e is lane e % L of block e / L. Lanes behind
+ * the last epoch are neither read nor written, nor are outputs of an epoch whose status is not OK.
  *
  * @param[in]   epochs  Number of epochs.
- * @param[in]   x       [blocks x 16 x NAVTK_SPECIFIC_FORCE_LOCAL_LANES] State vector; its blocks,
- *                      units and ranges stand in the header of the types.
- * @param[in]   y       [blocks x 16 x NAVTK_SPECIFIC_FORCE_LOCAL_LANES] [16] m in n: range -1e+09
- *                      to 1e+09. m/s in n: range -1e+09 to 1e+09. s -> n: unit quaternion, order w
- *                      x y z, q.q = 1 within 1e-05. m/s^2 in s: range -1 to 1. rad/s in s: range
- *                      -0.1 to 0.1.
- * @param[out]  value   [blocks x 15 x NAVTK_SPECIFIC_FORCE_LOCAL_LANES] [15] Value of the equation.
+ * @param[in]   x       [blocks x 16 x L] State vector; its blocks, units and ranges stand in the
+ *                      header of the types.
+ * @param[in]   y       [blocks x 16 x L] m in n: range -1e+09 to 1e+09. m/s in n: range -1e+09 to
+ *                      1e+09. s -> n: unit quaternion, order w x y z, q.q = 1 within 1e-05. m/s^2
+ *                      in s: range -1 to 1. rad/s in s: range -0.1 to 0.1.
+ * @param[out]  value   [blocks x 15 x L] Value of the equation.
  * @param[out]  status  Status of every epoch, one byte each, in the order of the epochs.
  * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
  *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
@@ -500,37 +496,29 @@ navtk_specific_force_status_t navtk_specific_force_calc_force_batch_nz(
  *
  * See navtk_specific_force_calc_force for the equation.
  * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
- * NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES + l]; epoch e is lane e %
- * NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES of block e / NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES. Lanes
+ * L + l], L = NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES; epoch e is lane e % L of block e / L. Lanes
  * behind the last epoch are neither read nor written, nor are outputs of an epoch whose status is
  * not OK.
  *
  * @param[in]   epochs                      Number of epochs.
- * @param[in]   dcm                         [blocks x 9 x NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES] [9]
- *                                          s -> n: C, attitude of the body at the epoch; rotation
- *                                          matrix, by row, orthonormal within 1e-05.
- * @param[in]   delta_theta                 [blocks x 3 x NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES] [3]
- *                                          rad in s: Angle increments, oldest sub-sample first;
- *                                          range -0.5 to 0.5.
- * @param[in]   delta_velocity              [blocks x 3 x NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES] [3]
- *                                          m/s in s: Velocity increments, oldest sub-sample first;
- *                                          range -50 to 50.
- * @param[in]   dt                          [blocks x 1 x NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES] [1]
- *                                          s: Length of the interval; range 1e-05 to 0.05.
- * @param[out]  value                       [blocks x 3 x NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES] [3]
- *                                          m/s^2 in n: Value of the equation.
- * @param[out]  jacobian_dcm_nz             [blocks x 6 x NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES] The
- *                                          6 structural non-zeros of jacobian_dcm, in the order of
- *                                          the tables.
- * @param[out]  jacobian_delta_theta_nz     [blocks x 9 x NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES] The
- *                                          9 structural non-zeros of jacobian_delta_theta, in the
- *                                          order of the tables.
- * @param[out]  jacobian_delta_velocity_nz  [blocks x 9 x NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES] The
- *                                          9 structural non-zeros of jacobian_delta_velocity, in
- *                                          the order of the tables.
- * @param[out]  jacobian_dt_nz              [blocks x 3 x NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES] The
- *                                          3 structural non-zeros of jacobian_dt, in the order of
- *                                          the tables.
+ * @param[in]   dcm                         [blocks x 9 x L] s -> n: C, attitude of the body at the
+ *                                          epoch; rotation matrix, by row, orthonormal within
+ *                                          1e-05.
+ * @param[in]   delta_theta                 [blocks x 3 x L] rad in s: Angle increments, oldest
+ *                                          sub-sample first; range -0.5 to 0.5.
+ * @param[in]   delta_velocity              [blocks x 3 x L] m/s in s: Velocity increments, oldest
+ *                                          sub-sample first; range -50 to 50.
+ * @param[in]   dt                          [blocks x 1 x L] s: Length of the interval; range 1e-05
+ *                                          to 0.05.
+ * @param[out]  value                       [blocks x 3 x L] m/s^2 in n: Value of the equation.
+ * @param[out]  jacobian_dcm_nz             [blocks x 6 x L] The 6 structural non-zeros of
+ *                                          jacobian_dcm, in the order of the tables.
+ * @param[out]  jacobian_delta_theta_nz     [blocks x 9 x L] The 9 structural non-zeros of
+ *                                          jacobian_delta_theta, in the order of the tables.
+ * @param[out]  jacobian_delta_velocity_nz  [blocks x 9 x L] The 9 structural non-zeros of
+ *                                          jacobian_delta_velocity, in the order of the tables.
+ * @param[out]  jacobian_dt_nz              [blocks x 3 x L] The 3 structural non-zeros of
+ *                                          jacobian_dt, in the order of the tables.
  * @param[out]  status                      Status of every epoch, one byte each, in the order of
  *                                          the epochs.
  * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
@@ -870,36 +858,27 @@ navtk_specific_force_status_t navtk_specific_force_force_batch_nz(
  *
  * See navtk_specific_force_force for the equation.
  * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
- * NAVTK_SPECIFIC_FORCE_FORCE_LANES + l]; epoch e is lane e % NAVTK_SPECIFIC_FORCE_FORCE_LANES of
- * block e / NAVTK_SPECIFIC_FORCE_FORCE_LANES. Lanes behind the last epoch are neither read nor
- * written, nor are outputs of an epoch whose status is not OK.
+ * L + l], L = NAVTK_SPECIFIC_FORCE_FORCE_LANES; epoch e is lane e % L of block e / L. Lanes behind
+ * the last epoch are neither read nor written, nor are outputs of an epoch whose status is not OK.
  *
  * @param[in]   epochs                      Number of epochs.
- * @param[in]   x                           [blocks x 16 x NAVTK_SPECIFIC_FORCE_FORCE_LANES] State
- *                                          vector; its blocks, units and ranges stand in the header
- *                                          of the types.
- * @param[in]   delta_theta                 [blocks x 3 x NAVTK_SPECIFIC_FORCE_FORCE_LANES] [3] rad
- *                                          in s: Angle increments, oldest sub-sample first; range
- *                                          -0.5 to 0.5.
- * @param[in]   delta_velocity              [blocks x 3 x NAVTK_SPECIFIC_FORCE_FORCE_LANES] [3] m/s
- *                                          in s: Velocity increments, oldest sub-sample first;
- *                                          range -50 to 50.
- * @param[in]   dt                          [blocks x 1 x NAVTK_SPECIFIC_FORCE_FORCE_LANES] [1] s:
- *                                          Length of the interval; range 1e-05 to 0.05.
- * @param[out]  value                       [blocks x 3 x NAVTK_SPECIFIC_FORCE_FORCE_LANES] [3]
- *                                          m/s^2 in n: Value of the equation.
- * @param[out]  jacobian_nz                 [blocks x 24 x NAVTK_SPECIFIC_FORCE_FORCE_LANES] The 24
- *                                          structural non-zeros of jacobian, in the order of the
- *                                          tables.
- * @param[out]  jacobian_delta_theta_nz     [blocks x 9 x NAVTK_SPECIFIC_FORCE_FORCE_LANES] The 9
- *                                          structural non-zeros of jacobian_delta_theta, in the
- *                                          order of the tables.
- * @param[out]  jacobian_delta_velocity_nz  [blocks x 9 x NAVTK_SPECIFIC_FORCE_FORCE_LANES] The 9
- *                                          structural non-zeros of jacobian_delta_velocity, in the
- *                                          order of the tables.
- * @param[out]  jacobian_dt_nz              [blocks x 3 x NAVTK_SPECIFIC_FORCE_FORCE_LANES] The 3
- *                                          structural non-zeros of jacobian_dt, in the order of the
- *                                          tables.
+ * @param[in]   x                           [blocks x 16 x L] State vector; its blocks, units and
+ *                                          ranges stand in the header of the types.
+ * @param[in]   delta_theta                 [blocks x 3 x L] rad in s: Angle increments, oldest
+ *                                          sub-sample first; range -0.5 to 0.5.
+ * @param[in]   delta_velocity              [blocks x 3 x L] m/s in s: Velocity increments, oldest
+ *                                          sub-sample first; range -50 to 50.
+ * @param[in]   dt                          [blocks x 1 x L] s: Length of the interval; range 1e-05
+ *                                          to 0.05.
+ * @param[out]  value                       [blocks x 3 x L] m/s^2 in n: Value of the equation.
+ * @param[out]  jacobian_nz                 [blocks x 24 x L] The 24 structural non-zeros of
+ *                                          jacobian, in the order of the tables.
+ * @param[out]  jacobian_delta_theta_nz     [blocks x 9 x L] The 9 structural non-zeros of
+ *                                          jacobian_delta_theta, in the order of the tables.
+ * @param[out]  jacobian_delta_velocity_nz  [blocks x 9 x L] The 9 structural non-zeros of
+ *                                          jacobian_delta_velocity, in the order of the tables.
+ * @param[out]  jacobian_dt_nz              [blocks x 3 x L] The 3 structural non-zeros of
+ *                                          jacobian_dt, in the order of the tables.
  * @param[out]  status                      Status of every epoch, one byte each, in the order of
  *                                          the epochs.
  * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or

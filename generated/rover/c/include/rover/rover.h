@@ -82,21 +82,20 @@ rover_status_t rover_retract_batch(
  *
  * See rover_retract for the equation.
  * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
- * ROVER_RETRACT_LANES + l]; epoch e is lane e % ROVER_RETRACT_LANES of block e /
- * ROVER_RETRACT_LANES. Lanes behind the last epoch are neither read nor written, nor are outputs of
- * an epoch whose status is not OK.
+ * L + l], L = ROVER_RETRACT_LANES; epoch e is lane e % L of block e / L. Lanes behind the last
+ * epoch are neither read nor written, nor are outputs of an epoch whose status is not OK.
  *
  * @param[in]   epochs  Number of epochs.
- * @param[in]   x       [blocks x 22 x ROVER_RETRACT_LANES] State vector; its blocks, units and
- *                      ranges stand in the header of the types.
- * @param[in]   d       [blocks x 21 x ROVER_RETRACT_LANES] [21] m in n: Error of position; range
- *                      -1e+09 to 1e+09. m/s in n: Error of velocity; range -1e+09 to 1e+09. rad in
- *                      b: Error of attitude; range -6 to 6. m/s^2 in b: Error of
- *                      accelerometer_bias; range -1e+09 to 1e+09. rad/s in b: Error of gyro_bias;
- *                      range -1e+09 to 1e+09. m in b: Error of antenna; range -1e+09 to 1e+09. m:
- *                      Error of b_gps; range -1e+09 to 1e+09. m: Error of b_galileo; range -1e+09
- *                      to 1e+09. m/s: Error of drift; range -1e+09 to 1e+09.
- * @param[out]  value   [blocks x 22 x ROVER_RETRACT_LANES] [22] Value of the equation.
+ * @param[in]   x       [blocks x 22 x L] State vector; its blocks, units and ranges stand in the
+ *                      header of the types.
+ * @param[in]   d       [blocks x 21 x L] m in n: Error of position; range -1e+09 to 1e+09. m/s in
+ *                      n: Error of velocity; range -1e+09 to 1e+09. rad in b: Error of attitude;
+ *                      range -6 to 6. m/s^2 in b: Error of accelerometer_bias; range -1e+09 to
+ *                      1e+09. rad/s in b: Error of gyro_bias; range -1e+09 to 1e+09. m in b: Error
+ *                      of antenna; range -1e+09 to 1e+09. m: Error of b_gps; range -1e+09 to 1e+09.
+ *                      m: Error of b_galileo; range -1e+09 to 1e+09. m/s: Error of drift; range
+ *                      -1e+09 to 1e+09.
+ * @param[out]  value   [blocks x 22 x L] Value of the equation.
  * @param[out]  status  Status of every epoch, one byte each, in the order of the epochs.
  * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
  *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
@@ -170,19 +169,18 @@ rover_status_t rover_local_batch(
  *
  * See rover_local for the equation.
  * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
- * ROVER_LOCAL_LANES + l]; epoch e is lane e % ROVER_LOCAL_LANES of block e / ROVER_LOCAL_LANES.
- * Lanes behind the last epoch are neither read nor written, nor are outputs of an epoch whose
- * status is not OK.
+ * L + l], L = ROVER_LOCAL_LANES; epoch e is lane e % L of block e / L. Lanes behind the last epoch
+ * are neither read nor written, nor are outputs of an epoch whose status is not OK.
  *
  * @param[in]   epochs  Number of epochs.
- * @param[in]   x       [blocks x 22 x ROVER_LOCAL_LANES] State vector; its blocks, units and ranges
- *                      stand in the header of the types.
- * @param[in]   y       [blocks x 22 x ROVER_LOCAL_LANES] [22] m in n: range -100000 to 100000. m/s
- *                      in n: range -1e+09 to 1e+09. b -> n: unit quaternion, order w x y z, q.q = 1
- *                      within 1e-05. m/s^2 in b: range -1 to 1. rad/s in b: range -0.1 to 0.1. m in
- *                      b: range -10 to 10. m: range -1e+06 to 1e+06. m: range -1e+06 to 1e+06. m/s:
- *                      range -1e+09 to 1e+09.
- * @param[out]  value   [blocks x 21 x ROVER_LOCAL_LANES] [21] Value of the equation.
+ * @param[in]   x       [blocks x 22 x L] State vector; its blocks, units and ranges stand in the
+ *                      header of the types.
+ * @param[in]   y       [blocks x 22 x L] m in n: range -100000 to 100000. m/s in n: range -1e+09 to
+ *                      1e+09. b -> n: unit quaternion, order w x y z, q.q = 1 within 1e-05. m/s^2
+ *                      in b: range -1 to 1. rad/s in b: range -0.1 to 0.1. m in b: range -10 to 10.
+ *                      m: range -1e+06 to 1e+06. m: range -1e+06 to 1e+06. m/s: range -1e+09 to
+ *                      1e+09.
+ * @param[out]  value   [blocks x 21 x L] Value of the equation.
  * @param[out]  status  Status of every epoch, one byte each, in the order of the epochs.
  * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
  *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
@@ -344,16 +342,15 @@ rover_status_t rover_gps_batch_nz(
  *
  * See rover_gps for the equation.
  * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
- * ROVER_GPS_LANES + l]; epoch e is lane e % ROVER_GPS_LANES of block e / ROVER_GPS_LANES. Lanes
- * behind the last epoch are neither read nor written, nor are outputs of an epoch whose status is
- * not OK.
+ * L + l], L = ROVER_GPS_LANES; epoch e is lane e % L of block e / L. Lanes behind the last epoch
+ * are neither read nor written, nor are outputs of an epoch whose status is not OK.
  *
  * @param[in]   epochs       Number of epochs.
- * @param[in]   x            [blocks x 22 x ROVER_GPS_LANES] State vector; its blocks, units and
- *                           ranges stand in the header of the types.
- * @param[out]  value        [blocks x 3 x ROVER_GPS_LANES] [3] m in n: Value of the equation.
- * @param[out]  jacobian_nz  [blocks x 21 x ROVER_GPS_LANES] The 21 structural non-zeros of
- *                           jacobian, in the order of the tables.
+ * @param[in]   x            [blocks x 22 x L] State vector; its blocks, units and ranges stand in
+ *                           the header of the types.
+ * @param[out]  value        [blocks x 3 x L] m in n: Value of the equation.
+ * @param[out]  jacobian_nz  [blocks x 21 x L] The 21 structural non-zeros of jacobian, in the order
+ *                           of the tables.
  * @param[out]  status       Status of every epoch, one byte each, in the order of the epochs.
  * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
  *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
@@ -950,23 +947,20 @@ rover_status_t rover_imu_batch_nz(
  *
  * See rover_imu for the equation.
  * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
- * ROVER_IMU_LANES + l]; epoch e is lane e % ROVER_IMU_LANES of block e / ROVER_IMU_LANES. Lanes
- * behind the last epoch are neither read nor written, nor are outputs of an epoch whose status is
- * not OK.
+ * L + l], L = ROVER_IMU_LANES; epoch e is lane e % L of block e / L. Lanes behind the last epoch
+ * are neither read nor written, nor are outputs of an epoch whose status is not OK.
  *
  * @param[in]   epochs          Number of epochs.
- * @param[in]   x               [blocks x 22 x ROVER_IMU_LANES] State vector; its blocks, units and
- *                              ranges stand in the header of the types.
- * @param[in]   delta_theta     [blocks x 6 x ROVER_IMU_LANES] [6] rad in b: Angle increments,
- *                              oldest sub-sample first; range -0.5 to 0.5.
- * @param[in]   delta_velocity  [blocks x 6 x ROVER_IMU_LANES] [6] m/s in b: Velocity increments,
- *                              oldest sub-sample first; range -50 to 50.
- * @param[in]   dt              [blocks x 1 x ROVER_IMU_LANES] [1] s: Length of the interval; range
- *                              1e-05 to 0.05.
- * @param[out]  value           [blocks x 3 x ROVER_IMU_LANES] [3] m/s^2 in n: Value of the
- *                              equation.
- * @param[out]  jacobian_nz     [blocks x 27 x ROVER_IMU_LANES] The 27 structural non-zeros of
- *                              jacobian, in the order of the tables.
+ * @param[in]   x               [blocks x 22 x L] State vector; its blocks, units and ranges stand
+ *                              in the header of the types.
+ * @param[in]   delta_theta     [blocks x 6 x L] rad in b: Angle increments, oldest sub-sample
+ *                              first; range -0.5 to 0.5.
+ * @param[in]   delta_velocity  [blocks x 6 x L] m/s in b: Velocity increments, oldest sub-sample
+ *                              first; range -50 to 50.
+ * @param[in]   dt              [blocks x 1 x L] s: Length of the interval; range 1e-05 to 0.05.
+ * @param[out]  value           [blocks x 3 x L] m/s^2 in n: Value of the equation.
+ * @param[out]  jacobian_nz     [blocks x 27 x L] The 27 structural non-zeros of jacobian, in the
+ *                              order of the tables.
  * @param[out]  status          Status of every epoch, one byte each, in the order of the epochs.
  * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
  *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own

@@ -71,16 +71,15 @@ single_point_status_t single_point_retract_batch(
  *
  * See single_point_retract for the equation.
  * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
- * SINGLE_POINT_RETRACT_LANES + l]; epoch e is lane e % SINGLE_POINT_RETRACT_LANES of block e /
- * SINGLE_POINT_RETRACT_LANES. Lanes behind the last epoch are neither read nor written, nor are
- * outputs of an epoch whose status is not OK.
+ * L + l], L = SINGLE_POINT_RETRACT_LANES; epoch e is lane e % L of block e / L. Lanes behind the
+ * last epoch are neither read nor written, nor are outputs of an epoch whose status is not OK.
  *
  * @param[in]   epochs  Number of epochs.
- * @param[in]   x       [blocks x 4 x SINGLE_POINT_RETRACT_LANES] State vector; its blocks, units
- *                      and ranges stand in the header of the types.
- * @param[in]   d       [blocks x 4 x SINGLE_POINT_RETRACT_LANES] [4] m in e: Error of position;
- *                      range -1e+09 to 1e+09. m: Error of clock_bias; range -1e+09 to 1e+09.
- * @param[out]  value   [blocks x 4 x SINGLE_POINT_RETRACT_LANES] [4] Value of the equation.
+ * @param[in]   x       [blocks x 4 x L] State vector; its blocks, units and ranges stand in the
+ *                      header of the types.
+ * @param[in]   d       [blocks x 4 x L] m in e: Error of position; range -1e+09 to 1e+09. m: Error
+ *                      of clock_bias; range -1e+09 to 1e+09.
+ * @param[out]  value   [blocks x 4 x L] Value of the equation.
  * @param[out]  status  Status of every epoch, one byte each, in the order of the epochs.
  * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
  *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
@@ -146,16 +145,14 @@ single_point_status_t single_point_local_batch(
  *
  * See single_point_local for the equation.
  * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
- * SINGLE_POINT_LOCAL_LANES + l]; epoch e is lane e % SINGLE_POINT_LOCAL_LANES of block e /
- * SINGLE_POINT_LOCAL_LANES. Lanes behind the last epoch are neither read nor written, nor are
- * outputs of an epoch whose status is not OK.
+ * L + l], L = SINGLE_POINT_LOCAL_LANES; epoch e is lane e % L of block e / L. Lanes behind the last
+ * epoch are neither read nor written, nor are outputs of an epoch whose status is not OK.
  *
  * @param[in]   epochs  Number of epochs.
- * @param[in]   x       [blocks x 4 x SINGLE_POINT_LOCAL_LANES] State vector; its blocks, units and
- *                      ranges stand in the header of the types.
- * @param[in]   y       [blocks x 4 x SINGLE_POINT_LOCAL_LANES] [4] m in e: range -1e+07 to 1e+07.
- *                      m: range -1e+08 to 1e+08.
- * @param[out]  value   [blocks x 4 x SINGLE_POINT_LOCAL_LANES] [4] Value of the equation.
+ * @param[in]   x       [blocks x 4 x L] State vector; its blocks, units and ranges stand in the
+ *                      header of the types.
+ * @param[in]   y       [blocks x 4 x L] m in e: range -1e+07 to 1e+07. m: range -1e+08 to 1e+08.
+ * @param[out]  value   [blocks x 4 x L] Value of the equation.
  * @param[out]  status  Status of every epoch, one byte each, in the order of the epochs.
  * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
  *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
@@ -962,66 +959,56 @@ single_point_status_t single_point_broadcast_orbit_batch(
  *
  * See single_point_broadcast_orbit for the equation.
  * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
- * SINGLE_POINT_BROADCAST_ORBIT_LANES + l]; epoch e is lane e % SINGLE_POINT_BROADCAST_ORBIT_LANES
- * of block e / SINGLE_POINT_BROADCAST_ORBIT_LANES. Lanes behind the last epoch are neither read nor
- * written, nor are outputs of an epoch whose status is not OK.
+ * L + l], L = SINGLE_POINT_BROADCAST_ORBIT_LANES; epoch e is lane e % L of block e / L. Lanes
+ * behind the last epoch are neither read nor written, nor are outputs of an epoch whose status is
+ * not OK.
  *
  * @param[in]   epochs                  Number of epochs.
- * @param[in]   time_2                  [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] s:
- *                                      Time of week; may pass its ends by an hour; range -3600 to
- *                                      608400.
- * @param[in]   toe                     [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] s:
- *                                      Reference time of the ephemeris; range 0 to 604800.
- * @param[in]   toc                     [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] s:
- *                                      Reference time of the clock; range 0 to 604800.
- * @param[in]   sqrt_a                  [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] m^1/2:
- *                                      Square root of the semi-major axis; range 4000 to 7000.
- * @param[in]   eccentricity            [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1]
- *                                      Eccentricity; range 0 to 0.1.
- * @param[in]   mean_anomaly            [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] rad:
- *                                      Mean anomaly at the reference time; range -3.2 to 3.2.
- * @param[in]   mean_motion_difference  [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] rad/s:
- *                                      Correction of the mean motion; range -1e-06 to 1e-06.
- * @param[in]   inclination             [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] rad:
- *                                      Inclination at the reference time; range -3.2 to 3.2.
- * @param[in]   inclination_rate        [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] rad/s:
- *                                      Rate of the inclination; range -1e-06 to 1e-06.
- * @param[in]   right_ascension         [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] rad:
- *                                      Longitude of the node at the week's start; range -3.2 to
+ * @param[in]   time_2                  [blocks x 1 x L] s: Time of week; may pass its ends by an
+ *                                      hour; range -3600 to 608400.
+ * @param[in]   toe                     [blocks x 1 x L] s: Reference time of the ephemeris; range 0
+ *                                      to 604800.
+ * @param[in]   toc                     [blocks x 1 x L] s: Reference time of the clock; range 0 to
+ *                                      604800.
+ * @param[in]   sqrt_a                  [blocks x 1 x L] m^1/2: Square root of the semi-major axis;
+ *                                      range 4000 to 7000.
+ * @param[in]   eccentricity            [blocks x 1 x L] Eccentricity; range 0 to 0.1.
+ * @param[in]   mean_anomaly            [blocks x 1 x L] rad: Mean anomaly at the reference time;
+ *                                      range -3.2 to 3.2.
+ * @param[in]   mean_motion_difference  [blocks x 1 x L] rad/s: Correction of the mean motion; range
+ *                                      -1e-06 to 1e-06.
+ * @param[in]   inclination             [blocks x 1 x L] rad: Inclination at the reference time;
+ *                                      range -3.2 to 3.2.
+ * @param[in]   inclination_rate        [blocks x 1 x L] rad/s: Rate of the inclination; range
+ *                                      -1e-06 to 1e-06.
+ * @param[in]   right_ascension         [blocks x 1 x L] rad: Longitude of the node at the week's
+ *                                      start; range -3.2 to 3.2.
+ * @param[in]   right_ascension_rate    [blocks x 1 x L] rad/s: Rate of the right ascension; range
+ *                                      -1e-06 to 1e-06.
+ * @param[in]   argument_of_perigee     [blocks x 1 x L] rad: Argument of perigee; range -3.2 to
  *                                      3.2.
- * @param[in]   right_ascension_rate    [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] rad/s:
- *                                      Rate of the right ascension; range -1e-06 to 1e-06.
- * @param[in]   argument_of_perigee     [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] rad:
- *                                      Argument of perigee; range -3.2 to 3.2.
- * @param[in]   cuc                     [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] rad:
- *                                      Cosine correction of the argument of latitude; range -0.001
- *                                      to 0.001.
- * @param[in]   cus                     [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] rad:
- *                                      Sine correction of the argument of latitude; range -0.001 to
- *                                      0.001.
- * @param[in]   crc                     [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] m:
- *                                      Cosine correction of the radius; range -10000 to 10000.
- * @param[in]   crs                     [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] m:
- *                                      Sine correction of the radius; range -10000 to 10000.
- * @param[in]   cic                     [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] rad:
- *                                      Cosine correction of the inclination; range -0.001 to 0.001.
- * @param[in]   cis                     [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] rad:
- *                                      Sine correction of the inclination; range -0.001 to 0.001.
- * @param[in]   af0                     [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] s:
- *                                      Clock offset; range -0.1 to 0.1.
- * @param[in]   af1                     [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] Clock
- *                                      drift; range -1e-06 to 1e-06.
- * @param[in]   af2                     [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] 1/s:
- *                                      Clock drift rate; range -1e-09 to 1e-09.
- * @param[in]   group_delay             [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [1] s: TGD
- *                                      or BGD of the signal; range -1e-05 to 1e-05.
- * @param[out]  position                [blocks x 3 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [3] m:
- *                                      Position.
- * @param[out]  clock                   [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] s: Clock.
- * @param[out]  velocity                [blocks x 3 x SINGLE_POINT_BROADCAST_ORBIT_LANES] [3] m/s:
- *                                      Velocity.
- * @param[out]  clock_rate              [blocks x 1 x SINGLE_POINT_BROADCAST_ORBIT_LANES] Clock
- *                                      rate.
+ * @param[in]   cuc                     [blocks x 1 x L] rad: Cosine correction of the argument of
+ *                                      latitude; range -0.001 to 0.001.
+ * @param[in]   cus                     [blocks x 1 x L] rad: Sine correction of the argument of
+ *                                      latitude; range -0.001 to 0.001.
+ * @param[in]   crc                     [blocks x 1 x L] m: Cosine correction of the radius; range
+ *                                      -10000 to 10000.
+ * @param[in]   crs                     [blocks x 1 x L] m: Sine correction of the radius; range
+ *                                      -10000 to 10000.
+ * @param[in]   cic                     [blocks x 1 x L] rad: Cosine correction of the inclination;
+ *                                      range -0.001 to 0.001.
+ * @param[in]   cis                     [blocks x 1 x L] rad: Sine correction of the inclination;
+ *                                      range -0.001 to 0.001.
+ * @param[in]   af0                     [blocks x 1 x L] s: Clock offset; range -0.1 to 0.1.
+ * @param[in]   af1                     [blocks x 1 x L] Clock drift; range -1e-06 to 1e-06.
+ * @param[in]   af2                     [blocks x 1 x L] 1/s: Clock drift rate; range -1e-09 to
+ *                                      1e-09.
+ * @param[in]   group_delay             [blocks x 1 x L] s: TGD or BGD of the signal; range -1e-05
+ *                                      to 1e-05.
+ * @param[out]  position                [blocks x 3 x L] m: Position.
+ * @param[out]  clock                   [blocks x 1 x L] s: Clock.
+ * @param[out]  velocity                [blocks x 3 x L] m/s: Velocity.
+ * @param[out]  clock_rate              [blocks x 1 x L] Clock rate.
  * @param[out]  status                  Status of every epoch, one byte each, in the order of the
  *                                      epochs.
  * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or

@@ -71,17 +71,15 @@ warpos_gps_status_t warpos_gps_retract_batch(
  *
  * See warpos_gps_retract for the equation.
  * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
- * WARPOS_GPS_RETRACT_LANES + l]; epoch e is lane e % WARPOS_GPS_RETRACT_LANES of block e /
- * WARPOS_GPS_RETRACT_LANES. Lanes behind the last epoch are neither read nor written, nor are
- * outputs of an epoch whose status is not OK.
+ * L + l], L = WARPOS_GPS_RETRACT_LANES; epoch e is lane e % L of block e / L. Lanes behind the last
+ * epoch are neither read nor written, nor are outputs of an epoch whose status is not OK.
  *
  * @param[in]   epochs  Number of epochs.
- * @param[in]   x       [blocks x 15 x WARPOS_GPS_RETRACT_LANES] State vector; its blocks, units and
- *                      ranges stand in the header of the types.
- * @param[in]   d       [blocks x 15 x WARPOS_GPS_RETRACT_LANES] [15] Error of leading; range -1e+09
- *                      to 1e+09. m in f: Error of position; range -1e+09 to 1e+09. Error of
- *                      trailing; range -1e+09 to 1e+09.
- * @param[out]  value   [blocks x 15 x WARPOS_GPS_RETRACT_LANES] [15] Value of the equation.
+ * @param[in]   x       [blocks x 15 x L] State vector; its blocks, units and ranges stand in the
+ *                      header of the types.
+ * @param[in]   d       [blocks x 15 x L] Error of leading; range -1e+09 to 1e+09. m in f: Error of
+ *                      position; range -1e+09 to 1e+09. Error of trailing; range -1e+09 to 1e+09.
+ * @param[out]  value   [blocks x 15 x L] Value of the equation.
  * @param[out]  status  Status of every epoch, one byte each, in the order of the epochs.
  * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
  *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
@@ -149,16 +147,15 @@ warpos_gps_status_t warpos_gps_local_batch(
  *
  * See warpos_gps_local for the equation.
  * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
- * WARPOS_GPS_LOCAL_LANES + l]; epoch e is lane e % WARPOS_GPS_LOCAL_LANES of block e /
- * WARPOS_GPS_LOCAL_LANES. Lanes behind the last epoch are neither read nor written, nor are outputs
- * of an epoch whose status is not OK.
+ * L + l], L = WARPOS_GPS_LOCAL_LANES; epoch e is lane e % L of block e / L. Lanes behind the last
+ * epoch are neither read nor written, nor are outputs of an epoch whose status is not OK.
  *
  * @param[in]   epochs  Number of epochs.
- * @param[in]   x       [blocks x 15 x WARPOS_GPS_LOCAL_LANES] State vector; its blocks, units and
- *                      ranges stand in the header of the types.
- * @param[in]   y       [blocks x 15 x WARPOS_GPS_LOCAL_LANES] [15] range -1e+09 to 1e+09. m in f:
- *                      range -1e+09 to 1e+09. range -1e+09 to 1e+09.
- * @param[out]  value   [blocks x 15 x WARPOS_GPS_LOCAL_LANES] [15] Value of the equation.
+ * @param[in]   x       [blocks x 15 x L] State vector; its blocks, units and ranges stand in the
+ *                      header of the types.
+ * @param[in]   y       [blocks x 15 x L] range -1e+09 to 1e+09. m in f: range -1e+09 to 1e+09.
+ *                      range -1e+09 to 1e+09.
+ * @param[out]  value   [blocks x 15 x L] Value of the equation.
  * @param[out]  status  Status of every epoch, one byte each, in the order of the epochs.
  * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
  *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
@@ -314,17 +311,15 @@ warpos_gps_status_t warpos_gps_measurement_batch_nz(
  *
  * See warpos_gps_measurement for the equation.
  * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
- * WARPOS_GPS_MEASUREMENT_LANES + l]; epoch e is lane e % WARPOS_GPS_MEASUREMENT_LANES of block e /
- * WARPOS_GPS_MEASUREMENT_LANES. Lanes behind the last epoch are neither read nor written, nor are
- * outputs of an epoch whose status is not OK.
+ * L + l], L = WARPOS_GPS_MEASUREMENT_LANES; epoch e is lane e % L of block e / L. Lanes behind the
+ * last epoch are neither read nor written, nor are outputs of an epoch whose status is not OK.
  *
  * @param[in]   epochs       Number of epochs.
- * @param[in]   x            [blocks x 15 x WARPOS_GPS_MEASUREMENT_LANES] State vector; its blocks,
- *                           units and ranges stand in the header of the types.
- * @param[out]  value        [blocks x 3 x WARPOS_GPS_MEASUREMENT_LANES] [3] m in f: Value of the
- *                           equation.
- * @param[out]  jacobian_nz  [blocks x 3 x WARPOS_GPS_MEASUREMENT_LANES] The 3 structural non-zeros
- *                           of jacobian, in the order of the tables.
+ * @param[in]   x            [blocks x 15 x L] State vector; its blocks, units and ranges stand in
+ *                           the header of the types.
+ * @param[out]  value        [blocks x 3 x L] m in f: Value of the equation.
+ * @param[out]  jacobian_nz  [blocks x 3 x L] The 3 structural non-zeros of jacobian, in the order
+ *                           of the tables.
  * @param[out]  status       Status of every epoch, one byte each, in the order of the epochs.
  * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
  *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
@@ -482,18 +477,16 @@ warpos_gps_status_t warpos_gps_measurement_by_column_batch_nz(
  *
  * See warpos_gps_measurement_by_column for the equation.
  * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
- * WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES + l]; epoch e is lane e %
- * WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES of block e / WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES. Lanes
+ * L + l], L = WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES; epoch e is lane e % L of block e / L. Lanes
  * behind the last epoch are neither read nor written, nor are outputs of an epoch whose status is
  * not OK.
  *
  * @param[in]   epochs       Number of epochs.
- * @param[in]   x            [blocks x 15 x WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES] State vector;
- *                           its blocks, units and ranges stand in the header of the types.
- * @param[out]  value        [blocks x 3 x WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES] [3] m in f: Value
- *                           of the equation.
- * @param[out]  jacobian_nz  [blocks x 3 x WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES] The 3 structural
- *                           non-zeros of jacobian, in the order of the tables.
+ * @param[in]   x            [blocks x 15 x L] State vector; its blocks, units and ranges stand in
+ *                           the header of the types.
+ * @param[out]  value        [blocks x 3 x L] m in f: Value of the equation.
+ * @param[out]  jacobian_nz  [blocks x 3 x L] The 3 structural non-zeros of jacobian, in the order
+ *                           of the tables.
  * @param[out]  status       Status of every epoch, one byte each, in the order of the epochs.
  * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
  *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
@@ -682,20 +675,17 @@ warpos_gps_status_t warpos_gps_observed_batch_nz(
  *
  * See warpos_gps_observed for the equation.
  * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
- * WARPOS_GPS_OBSERVED_LANES + l]; epoch e is lane e % WARPOS_GPS_OBSERVED_LANES of block e /
- * WARPOS_GPS_OBSERVED_LANES. Lanes behind the last epoch are neither read nor written, nor are
- * outputs of an epoch whose status is not OK.
+ * L + l], L = WARPOS_GPS_OBSERVED_LANES; epoch e is lane e % L of block e / L. Lanes behind the
+ * last epoch are neither read nor written, nor are outputs of an epoch whose status is not OK.
  *
  * @param[in]   epochs             Number of epochs.
- * @param[in]   x                  [blocks x 15 x WARPOS_GPS_OBSERVED_LANES] State vector; its
- *                                 blocks, units and ranges stand in the header of the types.
- * @param[in]   observer_attitude  [blocks x 4 x WARPOS_GPS_OBSERVED_LANES] [4] ref -> f: C,
- *                                 attitude of the observer's frame; unit quaternion, order w x y z,
- *                                 q.q = 1 within 1e-05.
- * @param[out]  value              [blocks x 3 x WARPOS_GPS_OBSERVED_LANES] [3] m in ref: Value of
- *                                 the equation.
- * @param[out]  jacobian_nz        [blocks x 9 x WARPOS_GPS_OBSERVED_LANES] The 9 structural
- *                                 non-zeros of jacobian, in the order of the tables.
+ * @param[in]   x                  [blocks x 15 x L] State vector; its blocks, units and ranges
+ *                                 stand in the header of the types.
+ * @param[in]   observer_attitude  [blocks x 4 x L] ref -> f: C, attitude of the observer's frame;
+ *                                 unit quaternion, order w x y z, q.q = 1 within 1e-05.
+ * @param[out]  value              [blocks x 3 x L] m in ref: Value of the equation.
+ * @param[out]  jacobian_nz        [blocks x 9 x L] The 9 structural non-zeros of jacobian, in the
+ *                                 order of the tables.
  * @param[out]  status             Status of every epoch, one byte each, in the order of the epochs.
  * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
  *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
@@ -885,20 +875,18 @@ warpos_gps_status_t warpos_gps_observed_by_column_batch_nz(
  *
  * See warpos_gps_observed_by_column for the equation.
  * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
- * WARPOS_GPS_OBSERVED_BY_COLUMN_LANES + l]; epoch e is lane e % WARPOS_GPS_OBSERVED_BY_COLUMN_LANES
- * of block e / WARPOS_GPS_OBSERVED_BY_COLUMN_LANES. Lanes behind the last epoch are neither read
- * nor written, nor are outputs of an epoch whose status is not OK.
+ * L + l], L = WARPOS_GPS_OBSERVED_BY_COLUMN_LANES; epoch e is lane e % L of block e / L. Lanes
+ * behind the last epoch are neither read nor written, nor are outputs of an epoch whose status is
+ * not OK.
  *
  * @param[in]   epochs             Number of epochs.
- * @param[in]   x                  [blocks x 15 x WARPOS_GPS_OBSERVED_BY_COLUMN_LANES] State vector;
- *                                 its blocks, units and ranges stand in the header of the types.
- * @param[in]   observer_attitude  [blocks x 4 x WARPOS_GPS_OBSERVED_BY_COLUMN_LANES] [4] ref -> f:
- *                                 C, attitude of the observer's frame; unit quaternion, order w x y
- *                                 z, q.q = 1 within 1e-05.
- * @param[out]  value              [blocks x 3 x WARPOS_GPS_OBSERVED_BY_COLUMN_LANES] [3] m in ref:
- *                                 Value of the equation.
- * @param[out]  jacobian_nz        [blocks x 9 x WARPOS_GPS_OBSERVED_BY_COLUMN_LANES] The 9
- *                                 structural non-zeros of jacobian, in the order of the tables.
+ * @param[in]   x                  [blocks x 15 x L] State vector; its blocks, units and ranges
+ *                                 stand in the header of the types.
+ * @param[in]   observer_attitude  [blocks x 4 x L] ref -> f: C, attitude of the observer's frame;
+ *                                 unit quaternion, order w x y z, q.q = 1 within 1e-05.
+ * @param[out]  value              [blocks x 3 x L] m in ref: Value of the equation.
+ * @param[out]  jacobian_nz        [blocks x 9 x L] The 9 structural non-zeros of jacobian, in the
+ *                                 order of the tables.
  * @param[out]  status             Status of every epoch, one byte each, in the order of the epochs.
  * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
  *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
@@ -1015,32 +1003,25 @@ warpos_gps_status_t warpos_gps_to_state_frame_batch(
  *
  * See warpos_gps_to_state_frame for the equation.
  * Element k of lane l of block b of an array of SIZE elements per epoch stands at [(b * SIZE + k) *
- * WARPOS_GPS_TO_STATE_FRAME_LANES + l]; epoch e is lane e % WARPOS_GPS_TO_STATE_FRAME_LANES of
- * block e / WARPOS_GPS_TO_STATE_FRAME_LANES. Lanes behind the last epoch are neither read nor
- * written, nor are outputs of an epoch whose status is not OK.
+ * L + l], L = WARPOS_GPS_TO_STATE_FRAME_LANES; epoch e is lane e % L of block e / L. Lanes behind
+ * the last epoch are neither read nor written, nor are outputs of an epoch whose status is not OK.
  *
  * @param[in]   epochs             Number of epochs.
- * @param[in]   observer_attitude  [blocks x 4 x WARPOS_GPS_TO_STATE_FRAME_LANES] [4] ref -> f: C,
- *                                 attitude of the observer's frame; unit quaternion, order w x y z,
- *                                 q.q = 1 within 1e-05.
- * @param[in]   receiver_position  [blocks x 3 x WARPOS_GPS_TO_STATE_FRAME_LANES] [3] m in ref: Fix
- *                                 of the receiver in its reporting frame (pos_GPS_I__REF); range
- *                                 -1e+09 to 1e+09.
- * @param[in]   origin_offset      [blocks x 3 x WARPOS_GPS_TO_STATE_FRAME_LANES] [3] m in f: Origin
- *                                 of the state frame from the reporting frame's, in the state frame
- *                                 (pos_F_I__F); range -1e+09 to 1e+09.
- * @param[in]   attitude           [blocks x 4 x WARPOS_GPS_TO_STATE_FRAME_LANES] [4] body -> f:
- *                                 Attitude of the body (quat_F_B); unit quaternion, order w x y z,
- *                                 q.q = 1 within 1e-05.
- * @param[in]   lever_arm          [blocks x 3 x WARPOS_GPS_TO_STATE_FRAME_LANES] [3] m in body:
- *                                 Antenna from the body origin, in the body frame; range -100 to
- *                                 100.
- * @param[in]   covariance_2       [blocks x 9 x WARPOS_GPS_TO_STATE_FRAME_LANES] [9] m^2:
- *                                 Covariance of the fix, row-major; range -1e+12 to 1e+12.
- * @param[out]  value              [blocks x 3 x WARPOS_GPS_TO_STATE_FRAME_LANES] [3] m in f: Value
- *                                 of the equation.
- * @param[out]  value_covariance   [blocks x 9 x WARPOS_GPS_TO_STATE_FRAME_LANES] [9] m^2:
- *                                 Covariance of the value, row-major.
+ * @param[in]   observer_attitude  [blocks x 4 x L] ref -> f: C, attitude of the observer's frame;
+ *                                 unit quaternion, order w x y z, q.q = 1 within 1e-05.
+ * @param[in]   receiver_position  [blocks x 3 x L] m in ref: Fix of the receiver in its reporting
+ *                                 frame (pos_GPS_I__REF); range -1e+09 to 1e+09.
+ * @param[in]   origin_offset      [blocks x 3 x L] m in f: Origin of the state frame from the
+ *                                 reporting frame's, in the state frame (pos_F_I__F); range -1e+09
+ *                                 to 1e+09.
+ * @param[in]   attitude           [blocks x 4 x L] body -> f: Attitude of the body (quat_F_B); unit
+ *                                 quaternion, order w x y z, q.q = 1 within 1e-05.
+ * @param[in]   lever_arm          [blocks x 3 x L] m in body: Antenna from the body origin, in the
+ *                                 body frame; range -100 to 100.
+ * @param[in]   covariance_2       [blocks x 9 x L] m^2: Covariance of the fix, row-major; range
+ *                                 -1e+12 to 1e+12.
+ * @param[out]  value              [blocks x 3 x L] m in f: Value of the equation.
+ * @param[out]  value_covariance   [blocks x 9 x L] m^2: Covariance of the value, row-major.
  * @param[out]  status             Status of every epoch, one byte each, in the order of the epochs.
  * @return OK (every output was written), NULL (a pointer is null), COUNT (a number of items or
  *         epochs is negative or above the maximum), PARTIAL (some items or epochs failed; their own
