@@ -53,6 +53,7 @@ def page(runs: Mapping[str, Figures]) -> Iterator[str]:
     for flags, figures in runs.items():
         yield from times(flags, figures)
     yield from ratios(runs)
+    yield from many_epochs(runs["v3"])
     yield from floors(runs["v3"])
     yield from sizes(runs)
     yield from python_calls(runs["v3"])
@@ -93,6 +94,28 @@ def ratios(runs: Mapping[str, Figures]) -> Iterator[str]:
             [f"`{flags}`", *(f"{mean:.2f}" for mean in means), f"{worst[0]:.2f} ({worst[1]})"]
         )
     yield from table(["flags", *(f"`{r}`" for r in RIVALS), "worst against the best"], rows)
+
+
+def many_epochs(figures: Figures) -> Iterator[str]:
+    """Batches and blocks beside the same code called row by row, where they were measured."""
+    names = [
+        f"symnav_{form}{guarded}"
+        for guarded in ("", "_guarded")
+        for form in ("nz", "batch", "batch_nz", "blocks")
+    ]
+    measured = [n for n in names if any(n in figures[m] for m in MODELS)]
+    yield "## One epoch of 64 in one call, `--flags v3` (ns)"
+    yield ""
+    yield from table(
+        ["contestant", *MODELS],
+        [
+            [
+                f"`{n}`",
+                *(number(figures[m][n]["ns"]) if n in figures[m] else "" for m in MODELS),
+            ]
+            for n in measured
+        ],
+    )
 
 
 def floors(figures: Figures) -> Iterator[str]:
