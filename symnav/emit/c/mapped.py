@@ -366,6 +366,8 @@ class Mapped:
         ]
         codes = [f"flag_t codes[{kernel.target.macro}_RESTRICT]"] if self.fallible else []
         name = f"{kernel.local}_columns"
+        result = "flag_t" if self.fallible else "void"
+        kept = "const flag_t failed = " if self.skips else "(void)" if self.fallible else ""
         passed = [
             *self.context(address=True),
             "n",
@@ -377,11 +379,11 @@ class Mapped:
             "head": entry.prototype(f"{kernel.target.macro}_WIDE {kernel.target.status}"),
             "pointers": comments.code(f"if ({entry.pointers}) {{"),
             "loop_head": self._loop_head(
-                name, f"{kernel.target.macro}_INLINE void", [*parameters, *codes]
+                name, f"{kernel.target.macro}_INLINE {result}", [*parameters, *codes]
             ),
             **self._evaluation("i"),
             "stores": self.statements((self._column_store(s, limit) for s in stores), 2),
-            "call": comments.code(call(name, passed) + ";", depth=5),
+            "call": comments.code(f"{kept}{call(name, passed)};", depth=5),
             "common": self.statements(self._common_columns(), 5),
             "clears": [line for s in stores for line in self._column_clear(s, limit)],
         }
@@ -398,9 +400,9 @@ class Mapped:
 
     def _column_clear(self, store: Store, limit: str) -> list[str]:
         if not is_jacobian(store.output):
-            return self.statements([call(store.clear, [self.row(store, "i")]) + ";"], 7)
+            return self.statements([call(store.clear, [self.row(store, "i")]) + ";"], 8)
         zero = self.kernel.target.literal(0.0)
-        indent = "    " * 7
+        indent = "    " * 8
         return [
             f"{indent}for (int32_t k = 0; k < {store.count}; ++k) {{",
             f"{indent}    {store.output.name}_nz[(k * {limit}) + i] = {zero};",
