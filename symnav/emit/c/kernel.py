@@ -278,9 +278,7 @@ class Kernel:
         struct = self.inputs.struct(item=False)
         return [f"const {struct.name} *{INPUT_POINTER}"] if wanted else []
 
-    def _steps(
-        self, steps: Sequence[ir.Step], scope: Scope, seen: set[ir.Load]
-    ) -> Iterator[str]:
+    def _steps(self, steps: Sequence[ir.Step], scope: Scope, seen: set[ir.Load]) -> Iterator[str]:
         for step in steps:
             yield from self.inputs.readings(step, seen)
             if isinstance(step, ir.Check):
