@@ -12,6 +12,7 @@ import mpmath
 import numpy as np
 
 from benchmarks.contestants.contestant import Contestant
+from benchmarks.lines import lines_of_code
 from benchmarks.problems import Functions, Problem
 from symnav.bench.program import Array, built, code_bytes, run, stack_bytes
 
@@ -29,12 +30,14 @@ class Figures:
         ops: floating-point operations of one evaluation, as they are executed.
         bytes: machine code, what it calls in its own file included.
         stack: bytes of stack of its deepest chain of calls, by the compiler's account.
+        lines: lines of code of the functions that compute, blank ones and comments left out.
     """
 
     ns: float
     ops: int | None = None
     bytes: int | None = None
     stack: int | None = None
+    lines: int | None = None
 
 
 def measure(
@@ -60,6 +63,7 @@ def measure(
             operations(contestant, folder),
             code_bytes(candidate, item),
             stack_bytes(candidate, item),
+            lines_of_code(contestant.text, contestant.functions) or None,
         )
         for contestant, candidate, item in zip(
             contestants, candidates, program.objects, strict=True

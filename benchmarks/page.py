@@ -134,13 +134,22 @@ def floors(figures: Figures) -> Iterator[str]:
 
 
 def sizes(runs: Mapping[str, Figures]) -> Iterator[str]:
-    """Operations, code and stack."""
+    """Operations, lines, code and stack."""
     yield "## Operations of one evaluation, as executed"
     yield ""
     names = ("symnav_nz", *RIVALS)
     yield from table(
         ["contestant", *MODELS],
         [[f"`{n}`", *(str(runs["v3"][m][n]["ops"]) for m in MODELS)] for n in names],
+    )
+    yield "## Lines of code of the functions that compute"
+    yield ""
+    yield from table(
+        ["contestant", *MODELS],
+        [
+            [f"`{n}`", *(str(runs["v3"][m][n]["lines"]) for m in MODELS)]
+            for n in ("symnav_nz", "symnav_nz_guarded", *RIVALS)
+        ],
     )
     for flags in ("o2", "v3"):
         yield f"## Machine code / stack, `--flags {flags}` (bytes)"

@@ -75,7 +75,12 @@ def print_table(model: str, found: Mapping[str, Figures]) -> None:
     print(f"\n{model}")
     for name, one in sorted(found.items(), key=lambda pair: pair[1].ns):
         cells = [f"{one.ns:11.2f} ns"]
-        for number, unit in ((one.ops, "ops"), (one.bytes, "B"), (one.stack, "B stack")):
+        for number, unit in (
+            (one.ops, "ops"),
+            (one.bytes, "B"),
+            (one.stack, "B stack"),
+            (one.lines, "lines"),
+        ):
             cells.append("" if number is None else f"{number:7} {unit}")
         print(f"  {name:22} {' '.join(cells)}".rstrip())
     sys.stdout.flush()

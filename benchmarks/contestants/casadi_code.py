@@ -70,7 +70,9 @@ def _contestant(problem: Problem, name: str, record: ca.SX, result: ca.SX) -> Co
     symbol, order = symbol_of(problem, name), natural(problem)
     source = f"{generator.dump()}\n{adapter(symbol, body)}"
     candidate = Candidate(name=name, symbol=symbol, source=source, size=len(order), root=function)
-    return Contestant(problem=problem, candidate=candidate, order=order)
+    return Contestant(
+        problem=problem, candidate=candidate, order=order, text=source, functions=("casadi_f0",)
+    )
 
 
 def _starts(sizes: Sequence[int]) -> list[int]:

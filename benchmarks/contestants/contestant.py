@@ -16,11 +16,15 @@ class Contestant:
         problem: what it evaluates.
         candidate: the code.
         order: where in its output every element of the problem's results stands, epoch by epoch.
+        text: the source a reviewer reads; nothing where it is no contestant.
+        functions: names of the functions in it that compute the model.
     """
 
     problem: Problem
     candidate: Candidate
     order: tuple[int, ...]
+    text: str = ""
+    functions: tuple[str, ...] = ()
 
     @property
     def name(self) -> str:

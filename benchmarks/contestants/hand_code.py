@@ -36,4 +36,7 @@ def contestants(problem: Problem, _folder: Path) -> Iterator[Contestant]:
         name="hand", symbol=symbol, source=f'#include "{source}"\n\n{adapter(symbol, [call])}',
         size=size, include=(SOURCES,), root=function,
     )  # fmt: skip
-    yield Contestant(problem=problem, candidate=candidate, order=order)
+    text = (SOURCES / source).read_text(encoding="utf-8")
+    yield Contestant(
+        problem=problem, candidate=candidate, order=order, text=text, functions=(function,)
+    )

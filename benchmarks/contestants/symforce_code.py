@@ -60,7 +60,10 @@ def _contestant(problem: Problem, folder: Path) -> Contestant:
         name="symforce", symbol=symbol, source=source, size=len(order), language="c++",
         include=(header.parent, EIGEN),
     )  # fmt: skip
-    return Contestant(problem=problem, candidate=candidate, order=order)
+    text = header.read_text(encoding="utf-8")
+    return Contestant(
+        problem=problem, candidate=candidate, order=order, text=text, functions=(function,)
+    )
 
 
 def _derived(problem: Problem, given: Any) -> tuple[list[Any], list[Any]]:

@@ -12,6 +12,8 @@ from symnav.bench.adapters import EPOCHS, Entries
 from symnav.emit.lanes import lanes_of
 
 FUNCTION = "model"
+PARTS = ("load", "kernel", "shared", "load_item", "item")
+"""Functions of a kernel file; which of them there are depends on the model."""
 
 
 def contestants(problem: Problem, folder: Path) -> Iterator[Contestant]:
@@ -23,6 +25,8 @@ def contestants(problem: Problem, folder: Path) -> Iterator[Contestant]:
             problem=problem,
             candidate=entries.nonzeros(f"symnav_nz{mark}"),
             order=_nonzeros(problem, entries.function.maximum or 0),
+            text=_kernel(entries),
+            functions=tuple(f"{FUNCTION}_{part}" for part in PARTS),
         )
         yield Contestant(
             problem=problem,
@@ -62,10 +66,10 @@ def generated(problem: Problem, folder: Path, *, guarded: bool) -> Entries:
     return Entries(problem.package, function, package / "c", problem.items, label)
 
 
-def lines(entries: Entries) -> int:
-    """Lines of the kernel file."""
+def _kernel(entries: Entries) -> str:
+    """The kernel file."""
     kernel = entries.tree / "src" / f"{entries.prefix}_{FUNCTION}_kernel.h"
-    return len(kernel.read_text(encoding="utf-8").splitlines())
+    return kernel.read_text(encoding="utf-8")
 
 
 def _nonzeros(problem: Problem, limit: int) -> tuple[int, ...]:

@@ -37,4 +37,6 @@ def contestants(problem: Problem, _folder: Path) -> Iterator[Contestant]:
     whole = ["#include <math.h>", f"{head};", head, "{", *lines, "}", ""]
     source = "\n".join(whole) + adapter(symbol, [f"{function}(in, out);"])
     candidate = Candidate(name=name, symbol=symbol, source=source, size=len(order), root=function)
-    yield Contestant(problem=problem, candidate=candidate, order=order)
+    yield Contestant(
+        problem=problem, candidate=candidate, order=order, text=source, functions=(function,)
+    )

@@ -5,6 +5,7 @@ Numbers keep their value: a float is never truncated, a rational becomes its nea
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from functools import reduce
 
@@ -40,9 +41,12 @@ def _sum(expression: sp.Add, table: Table) -> ca.SX:
     """Terms added and subtracted, a positive one first, so that no sign costs an operation.
 
     A long sum is taken in pairs, one term of each sign where there are both: differences of
-    products stand together as in a cross product, and the terms do not wait for each other.
+    products stand together as in a cross product, and the terms do not wait for each other. In a
+    short one single terms come last for the same reason.
     """
-    signed = [_signed(term) for term in expression.args]
+    signed = [_signed(term) for term in _as_counted(expression.args)]
+    if len(signed) == LONGEST_CHAIN:
+        signed.sort(key=lambda pair: pair[1].is_Atom)
     above = [to_casadi(term, table) for sign, term in signed if sign > 0]
     below = [to_casadi(term, table) for sign, term in signed if sign < 0]
     if not above:
@@ -57,6 +61,25 @@ def _sum(expression: sp.Add, table: Table) -> ca.SX:
 
 LONGEST_CHAIN = 3
 """Most terms that are added one after another."""
+
+
+def _as_counted(terms: Sequence[sp.Expr]) -> list[sp.Expr]:
+    """Multiples of names in the order people count: ``a_10`` after ``a_9``; the rest stays.
+
+    The elements of a vector are then summed alike.
+    """
+    named = [term for term in terms if term.as_coeff_Mul()[1].is_Symbol]
+    named.sort(key=lambda term: _counting(term.as_coeff_Mul()[1].name))
+    following = iter(named)
+    return [next(following) if term in named else term for term in terms]
+
+
+def _counting(name: str) -> list[tuple[str, int]]:
+    """A name as letters and numbers in turn."""
+    return [(letters, int(digits or 0)) for letters, digits in _RUNS.findall(name)]
+
+
+_RUNS = re.compile(r"(\D*)(\d*)")
 
 
 def _total(terms: Sequence[ca.SX]) -> ca.SX:

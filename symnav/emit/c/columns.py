@@ -49,6 +49,8 @@ class Columns(ItemLoops):
         ]
         codes = [f"flag_t codes[{kernel.target.macro}_RESTRICT]"] if self.fallible else []
         name = f"{kernel.local}_columns"
+        result = "flag_t" if self.fallible else "void"
+        kept = "const flag_t failed = " if self.skips else "(void)" if self.fallible else ""
         passed = [
             *(["stride"] if self.strided else []),
             *self.context(address=True),
@@ -62,7 +64,7 @@ class Columns(ItemLoops):
             "pointers": comments.code(f"if ({entry.pointers}) {{"),
             "loop_head": self.loop_head(
                 name,
-                f"{kernel.target.macro}_INLINE void",
+                f"{kernel.target.macro}_INLINE {result}",
                 [*parameters, *codes],
                 before=stride,
             ),
@@ -73,7 +75,7 @@ class Columns(ItemLoops):
                 f"{kernel.local}_sparse",
                 [*stride, *(parameter.declaration for parameter in entry.parameters)],
             ),
-            "call": comments.code(call(name, passed) + ";", depth=3),
+            "call": comments.code(f"{kept}{call(name, passed)};", depth=3),
             "common": self.statements(self._common_columns(), 3),
             "clears": [line for s in stores for line in self._column_clear(s)],
             "sparse_call": comments.code(
@@ -96,11 +98,11 @@ class Columns(ItemLoops):
 
     def _column_clear(self, store: Store) -> list[str]:
         if not is_jacobian(store.output):
-            return self.statements([call(store.clear, [self.row(store, "i")]) + ";"], 5)
+            return self.statements([call(store.clear, [self.row(store, "i")]) + ";"], 6)
         zero = self.kernel.target.literal(0.0)
         if store.count == 1:
-            return self.statements([f"{store.output.name}_nz[i] = {zero};"], 5)
-        indent = "    " * 5
+            return self.statements([f"{store.output.name}_nz[i] = {zero};"], 6)
+        indent = "    " * 6
         return [
             f"{indent}for (int32_t k = 0; k < {store.count}; ++k) {{",
             f"{indent}    {store.output.name}_nz[(k * stride) + i] = {zero};",

@@ -3,6 +3,10 @@
 Loading copies every element the kernel reads into a structure and checks every element that was
 declared. A copy is inside its range whatever the caller passed, so that nothing downstream sees
 a NaN, and a caller that lets an input and an output overlap by mistake cannot corrupt a result.
+
+Where nothing is checked, what is read once per call stays with the caller: the structure holds
+where it is, and the kernel reads every element where it is first needed. A compiler that meets
+all the copies first keeps more of them than a processor has registers.
 """
 
 from __future__ import annotations
@@ -18,6 +22,7 @@ from symnav.emit.c.names import Names, identifier
 from symnav.emit.c.pieces import Field, Routine, Struct, head
 from symnav.emit.c.slots import Span, reach, spans_of
 from symnav.emit.c.target import Target
+from symnav.emit.c.walk import Holder, loads_of
 
 INPUT_POINTER = "in"
 ITEM_POINTER = "item"
@@ -62,12 +67,23 @@ class Element:
 
 @dataclass(frozen=True)
 class Inputs:
-    """Every element of every argument, and which of them are copied."""
+    """Every element of every argument, and which of them are copied.
+
+    Attributes:
+        target: the tree.
+        name: of the function.
+        table: the elements, in the order of the interface.
+        copied: those that loading copies.
+        pointed: those a kernel reads from where the caller keeps them, into a local.
+        chosen: for a load by a run-time slot, the array it chooses from.
+        guarded: True when every element is checked.
+    """
 
     target: Target
     name: str
     table: Mapping[ir.Load, Element]
     copied: frozenset[ir.Load]
+    pointed: frozenset[ir.Load]
     chosen: Mapping[ir.Load, Span]
     guarded: bool
     strided: bool
@@ -82,9 +98,46 @@ class Inputs:
         if isinstance(load.index, ir.Offset):
             return self._chosen(load, load.index, pointers=pointers)
         element = self.table[load]
+        if load in self.pointed:
+            return element.field
         base = ITEM_POINTER if element.argument.item else INPUT_POINTER
         place = f"[{element.index - element.span.start}]" if element.span else ""
         return f"{base}{'->' if pointers else '.'}{element.field}{place}"
+
+    def readings(self, holder: Holder, seen: set[ir.Load]) -> list[str]:
+        """Statements that read what a step or an entry is the first to need; ``seen`` grows."""
+        new = (loads_of([holder]) & self.pointed) - seen
+        seen |= new
+        return [
+            line
+            for load, element in self.table.items()
+            if load in new
+            for line in comments.code(
+                f"const {self.target.real} {element.field} = {self._pointed_at(element)};",
+                remark=_where(element.domain),
+            )
+        ]
+
+    def _pointed_at(self, element: Element) -> str:
+        """C text of an element that the kernel reads from where the caller keeps it."""
+        index = str(element.index)
+        if self.strided and element.index:
+            stride = f"{INPUT_POINTER}->{self._stride}"
+            index = stride if element.index == 1 else f"{index} * {stride}"
+        return f"{INPUT_POINTER}->{self._pointers[element.argument.name]}[{index}]"
+
+    @property
+    def points_far(self) -> bool:
+        """True when the kernel reads elements that may be a distance apart."""
+        return self.strided and any(load.index for load in self.pointed)
+
+    @cached_property
+    def _stride(self) -> str:
+        """Field that holds the distance between elements the kernel reads."""
+        names = Names(self.table[load].field for load in self.copied)
+        for pointer in self._pointers.values():
+            names.claim(pointer)
+        return names.claim("stride")
 
     def is_per_item(self, load: ir.Load) -> bool:
         """True for an element of an argument that has one row per item."""
@@ -96,7 +149,12 @@ class Inputs:
 
     def struct(self, *, item: bool) -> Struct:
         """The structure of the copies of one call, or of one item."""
-        fields = dict.fromkeys(
+        pointers = [] if item else self._pointers.values()
+        fields = dict.fromkeys(Field(f"const {self.target.real}", f"*{p}") for p in pointers)
+        if self.points_far and not item:
+            remark = "from one element to the next"
+            fields |= dict.fromkeys([Field("int32_t", self._stride, remark=remark)])
+        fields |= dict.fromkeys(
             Field(
                 type="int32_t" if element.argument.integer else self.target.real,
                 name=element.field,
@@ -120,8 +178,9 @@ class Inputs:
         if struct:
             declarations.append(f"{struct.name} *{pointer}")
         name = f"{self.name}_load{'_item' if item else ''}"
+        deed = "Check and copy" if self.guarded or self.copied else "Point at"
         return Routine(
-            brief=f"Check and copy the inputs of {'one item' if item else 'one call'}.",
+            brief=f"{deed} the inputs of {'one item' if item else 'one call'}.",
             head=head(f"{self.target.macro}_INLINE flag_t", name, declarations),
             body=tuple(self._loading(arguments)),
         )
@@ -204,6 +263,13 @@ class Inputs:
                 names.add(f"is_skewed_{element.domain.kind.value}")
         return names
 
+    @cached_property
+    def _pointers(self) -> dict[str, str]:
+        """Fields that hold where arguments are, by the names of the arguments."""
+        names = Names(self.table[load].field for load in self.copied)
+        given = {load.argument for load in self.pointed}
+        return {name: names.claim(name) for name in self._argument_of if name in given}
+
     def _chosen(self, load: ir.Load, offset: ir.Offset, *, pointers: bool) -> str:
         """The copy that a slot chooses."""
         span = self.chosen[load]
@@ -220,7 +286,7 @@ class Inputs:
     def _is_loaded(self, element: Element) -> bool:
         checked = self.guarded or element.argument.integer
         read = checked and element.domain.kind is not ir.Kind.UNREAD
-        return read or self._is_copied(element)
+        return read or self._is_copied(element) or element.load in self.pointed
 
     def _source(self, element: Element) -> str:
         """C text of an element where the caller keeps it."""
@@ -245,7 +311,11 @@ class Inputs:
             yield "    flag_t outside = 0U;"
         if skewed:
             yield "    flag_t skewed = 0U;"
+        if self.points_far and arguments and not arguments[0].item:
+            yield f"    {INPUT_POINTER}->{self._stride} = stride;"
         for argument in arguments:
+            if argument.name in self._pointers:
+                yield f"    {INPUT_POINTER}->{self._pointers[argument.name]} = {argument.name};"
             for domain in argument.domains:
                 yield from self._loading_domain(argument, domain)
         yield ""
@@ -331,10 +401,18 @@ def inputs_of(function: ir.Function, target: Target, loads: Collection[ir.Load])
                 table[element.load] = element
     copied = {load for load in loads if load in table} | _normed(function)
     copied |= {load for load, element in table.items() if element.span}
+    whole = function.maximum is not None or not any(a.integer for a in function.arguments)
+    open_ = whole and not function.guarded
+    pointed = {load for load in copied if open_ and _may_stay(table[load])}
     return Inputs(
-        target, function.name, table, frozenset(copied), chosen, function.guarded,
-        strided=function.maximum is None,
+        target, function.name, table, frozenset(copied - pointed), frozenset(pointed), chosen,
+        function.guarded, strided=function.maximum is None,
     )  # fmt: skip
+
+
+def _may_stay(element: Element) -> bool:
+    """True for an element that a kernel can read from where the caller keeps it."""
+    return not (element.argument.item or element.argument.integer or element.span)
 
 
 def _is_moving(load: ir.Load) -> bool:

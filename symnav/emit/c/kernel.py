@@ -186,6 +186,7 @@ class Kernel:
         """C identifiers of every step."""
         taken = [INPUT_POINTER, ITEM_POINTER, OUTPUT_POINTER, SHARED_POINTER]
         taken += [output.name for output in self.function.outputs]
+        taken += [self.inputs.place(load) for load in self.inputs.pointed]
         names = Names(taken)
         steps = (*self.function.shared, *self.function.item)
         return {step.target: names.claim(step.target) for step in steps}
@@ -226,9 +227,10 @@ class Kernel:
         given = self._input_declaration(self.main_reads_input)
         declarations = [*given, f"{self.output_struct.name} *{OUTPUT_POINTER}"]
         scope = self._scope(item=False)
+        seen: set[ir.Load] = set()
         body = [
-            *self._steps(self.function.shared, scope),
-            *self._assignments(self.results, OUTPUT_POINTER, scope),
+            *self._steps(self.function.shared, scope, seen),
+            *self._assignments(self.results, OUTPUT_POINTER, scope, seen),
             *self._verdict(self.function.shared),
         ]
         return Routine(
@@ -244,11 +246,12 @@ class Kernel:
         scope = self._scope(item=False)
         exported = [self._names[name] for name in self._exported]
         exports = [f"    {SHARED_POINTER}->{local} = {local};" for local in exported]
+        seen: set[ir.Load] = set()
         body = [
-            *self._steps(self.function.shared, scope),
+            *self._steps(self.function.shared, scope, seen),
             *([""] if exports and self.function.shared else []),
             *exports,
-            *self._assignments(self.common, SHARED_POINTER, scope),
+            *self._assignments(self.common, SHARED_POINTER, scope, seen),
             *self._verdict(self.function.shared),
         ]
         return Routine(
@@ -265,9 +268,10 @@ class Kernel:
             declarations.append(f"const {self.inputs.struct(item=True).name} *{ITEM_POINTER}")
         declarations.append(f"{self.output_struct.name} *{OUTPUT_POINTER}")
         scope = self._scope(item=True)
+        seen: set[ir.Load] = set()
         body = [
-            *self._steps(self.function.item, scope),
-            *self._assignments(self.results, OUTPUT_POINTER, scope),
+            *self._steps(self.function.item, scope, seen),
+            *self._assignments(self.results, OUTPUT_POINTER, scope, seen),
             *self._verdict(self.function.item),
         ]
         return Routine(
@@ -284,8 +288,9 @@ class Kernel:
         struct = self.inputs.struct(item=False)
         return [f"const {struct.name} *{INPUT_POINTER}"] if wanted else []
 
-    def _steps(self, steps: Sequence[ir.Step], scope: Scope) -> Iterator[str]:
+    def _steps(self, steps: Sequence[ir.Step], scope: Scope, seen: set[ir.Load]) -> Iterator[str]:
         for step in steps:
+            yield from self.inputs.readings(step, seen)
             if isinstance(step, ir.Check):
                 yield from self._guard(step, scope)
             else:
@@ -315,11 +320,12 @@ class Kernel:
         return lines
 
     def _assignments(
-        self, outputs: Sequence[ir.Output], pointer: str, scope: Scope
+        self, outputs: Sequence[ir.Output], pointer: str, scope: Scope, seen: set[ir.Load]
     ) -> Iterator[str]:
         for output in outputs:
             yield ""
             for position, entry in enumerate(output.entries):
+                yield from self.inputs.readings(entry, seen)
                 text = format_expression(entry.value, scope)
                 yield from comments.code(
                     f"{pointer}->{output.name}[{position}] = {text};",

@@ -24,8 +24,10 @@ def inline(function: ir.Function, longest: int = LONGEST) -> ir.Function:
     """Fold temporaries that are read exactly once.
 
     A temporary is a statement without a comment whose name is a letter and a number: a value with
-    a name of its own keeps its line, since the name says what it is. Nothing is folded across a
-    check, nor from the shared part into the item part, where it would be evaluated for every item.
+    a name of its own keeps its line, since the name says what it is. What is read by an output
+    alone is written where the output is, which says what it is as well. Nothing is folded across
+    a check, nor from the shared part into the item part, where it would be evaluated for every
+    item.
 
     Args:
         function: the function to make readable.
@@ -34,8 +36,9 @@ def inline(function: ir.Function, longest: int = LONGEST) -> ir.Function:
     item_outputs = [output for output in function.outputs if per_item(function, output)]
     other_outputs = [output for output in function.outputs if not per_item(function, output)]
     item_reads = _reads(function.item, item_outputs)
-    shared = _Folding(_reads(function.shared, other_outputs), set(item_reads), longest)
-    item = _Folding(item_reads, set(), longest)
+    shared_reads = _reads(function.shared, other_outputs)
+    shared = _Folding(shared_reads, set(item_reads), _results(other_outputs), longest)
+    item = _Folding(item_reads, set(), _results(item_outputs), longest)
     shared.run(function.shared)
     item.run(function.item)
     outputs = tuple(
@@ -52,15 +55,25 @@ def _reads(steps: Sequence[ir.Step], outputs: Sequence[ir.Output]) -> Counter[st
     return Counter(name for value in values for name in references(value))
 
 
+def _results(outputs: Sequence[ir.Output]) -> set[str]:
+    """Names that are results as they are."""
+    values = (entry.value for output in outputs for entry in output.entries)
+    return {value.name for value in values if isinstance(value, ir.Ref)}
+
+
 class _Folding:
     """One body: the steps that keep a line and the temporaries that wait for their reader."""
 
-    def __init__(self, reads: Counter[str], kept: set[str], longest: int) -> None:
+    def __init__(
+        self, reads: Counter[str], kept: set[str], results: set[str], longest: int
+    ) -> None:
         self._reads = reads
         self._kept = kept
+        self._results = results
         self._longest = longest
         self._steps: list[ir.Step] = []
         self._waiting: dict[str, ir.Expression] = {}
+        self._written: dict[str, ir.Expression] = {}
 
     def run(self, steps: Sequence[ir.Step]) -> None:
         """Fold the steps of a body, in order."""
@@ -69,6 +82,8 @@ class _Folding:
             if isinstance(step, ir.Check):
                 self._settle(tuple(self._waiting))
                 self._steps.append(replace(step, value=value))
+            elif self._is_result(step):
+                self._written[step.target] = value
             elif self._may_fold(step):
                 self._waiting[step.target] = value
             else:
@@ -76,7 +91,7 @@ class _Folding:
 
     def output(self, output: ir.Output) -> ir.Output:
         """An output with what its entries read folded into them."""
-        entries = (replace(entry, value=self._folded(entry.value)) for entry in output.entries)
+        entries = (replace(entry, value=self._result(entry.value)) for entry in output.entries)
         return replace(output, entries=tuple(entries))
 
     def steps(self) -> tuple[ir.Step, ...]:
@@ -85,8 +100,19 @@ class _Folding:
         return tuple(self._steps)
 
     def _may_fold(self, step: ir.Statement) -> bool:
+        return self._is_read_once(step) and bool(_TEMPORARY.fullmatch(step.target))
+
+    def _is_result(self, step: ir.Statement) -> bool:
+        return self._is_read_once(step) and step.target in self._results
+
+    def _is_read_once(self, step: ir.Statement) -> bool:
         once = self._reads[step.target] == 1 and step.target not in self._kept
-        return once and not step.comment and bool(_TEMPORARY.fullmatch(step.target))
+        return once and not step.comment
+
+    def _result(self, value: ir.Expression) -> ir.Expression:
+        if isinstance(value, ir.Ref) and value.name in self._written:
+            return self._written.pop(value.name)
+        return self._folded(value)
 
     def _folded(self, value: ir.Expression) -> ir.Expression:
         """The value with its temporaries in place, as many as fit; the others get a line."""

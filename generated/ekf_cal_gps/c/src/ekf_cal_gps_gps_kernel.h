@@ -128,24 +128,6 @@ EKF_CAL_GPS_INLINE flag_t gps_kernel(const gps_input_t *in, gps_output_t *out)
     const ekf_cal_gps_real_t value_out_x = attitude_arm_x + in->position_x;
     const ekf_cal_gps_real_t value_out_y = attitude_arm_y + in->position_y;
     const ekf_cal_gps_real_t value_out_z = attitude_arm_z + in->position_z;
-    const ekf_cal_gps_real_t attitude_arm_by_attitude_z_y = (in->antenna_z * attitude_20) -
-        (in->antenna_x * attitude_22);
-    const ekf_cal_gps_real_t attitude_arm_by_attitude_x_z = (in->antenna_x * attitude_01) -
-        (in->antenna_y * attitude_00);
-    const ekf_cal_gps_real_t attitude_arm_by_attitude_y_x = (in->antenna_y * attitude_12) -
-        (in->antenna_z * attitude_11);
-    const ekf_cal_gps_real_t attitude_arm_by_attitude_x_x = (in->antenna_y * attitude_02) -
-        (in->antenna_z * attitude_01);
-    const ekf_cal_gps_real_t attitude_arm_by_attitude_x_y = (in->antenna_z * attitude_00) -
-        (in->antenna_x * attitude_02);
-    const ekf_cal_gps_real_t attitude_arm_by_attitude_y_y = (in->antenna_z * attitude_10) -
-        (in->antenna_x * attitude_12);
-    const ekf_cal_gps_real_t attitude_arm_by_attitude_y_z = (in->antenna_x * attitude_11) -
-        (in->antenna_y * attitude_10);
-    const ekf_cal_gps_real_t attitude_arm_by_attitude_z_x = (in->antenna_y * attitude_22) -
-        (in->antenna_z * attitude_21);
-    const ekf_cal_gps_real_t attitude_arm_by_attitude_z_z = (in->antenna_x * attitude_21) -
-        (in->antenna_y * attitude_20);
 
     out->value[0] = value_out_x;  /* value x */
     out->value[1] = value_out_y;  /* value y */
@@ -156,23 +138,32 @@ EKF_CAL_GPS_INLINE flag_t gps_kernel(const gps_input_t *in, gps_output_t *out)
     out->residual[2] = in->measured_z - value_out_z;  /* residual z */
 
     out->jacobian[0] = 1.0;  /* value x, position x */
-    out->jacobian[1] = attitude_arm_by_attitude_x_x;  /* value x, attitude x */
-    out->jacobian[2] = attitude_arm_by_attitude_x_y;  /* value x, attitude y */
-    out->jacobian[3] = attitude_arm_by_attitude_x_z;  /* value x, attitude z */
+    /* value x, attitude x */
+    out->jacobian[1] = (in->antenna_y * attitude_02) - (in->antenna_z * attitude_01);
+    /* value x, attitude y */
+    out->jacobian[2] = (in->antenna_z * attitude_00) - (in->antenna_x * attitude_02);
+    /* value x, attitude z */
+    out->jacobian[3] = (in->antenna_x * attitude_01) - (in->antenna_y * attitude_00);
     out->jacobian[4] = attitude_00;  /* value x, antenna x */
     out->jacobian[5] = attitude_01;  /* value x, antenna y */
     out->jacobian[6] = attitude_02;  /* value x, antenna z */
     out->jacobian[7] = 1.0;  /* value y, position y */
-    out->jacobian[8] = attitude_arm_by_attitude_y_x;  /* value y, attitude x */
-    out->jacobian[9] = attitude_arm_by_attitude_y_y;  /* value y, attitude y */
-    out->jacobian[10] = attitude_arm_by_attitude_y_z;  /* value y, attitude z */
+    /* value y, attitude x */
+    out->jacobian[8] = (in->antenna_y * attitude_12) - (in->antenna_z * attitude_11);
+    /* value y, attitude y */
+    out->jacobian[9] = (in->antenna_z * attitude_10) - (in->antenna_x * attitude_12);
+    /* value y, attitude z */
+    out->jacobian[10] = (in->antenna_x * attitude_11) - (in->antenna_y * attitude_10);
     out->jacobian[11] = attitude_10;  /* value y, antenna x */
     out->jacobian[12] = attitude_11;  /* value y, antenna y */
     out->jacobian[13] = attitude_12;  /* value y, antenna z */
     out->jacobian[14] = 1.0;  /* value z, position z */
-    out->jacobian[15] = attitude_arm_by_attitude_z_x;  /* value z, attitude x */
-    out->jacobian[16] = attitude_arm_by_attitude_z_y;  /* value z, attitude y */
-    out->jacobian[17] = attitude_arm_by_attitude_z_z;  /* value z, attitude z */
+    /* value z, attitude x */
+    out->jacobian[15] = (in->antenna_y * attitude_22) - (in->antenna_z * attitude_21);
+    /* value z, attitude y */
+    out->jacobian[16] = (in->antenna_z * attitude_20) - (in->antenna_x * attitude_22);
+    /* value z, attitude z */
+    out->jacobian[17] = (in->antenna_x * attitude_21) - (in->antenna_y * attitude_20);
     out->jacobian[18] = attitude_20;  /* value z, antenna x */
     out->jacobian[19] = attitude_21;  /* value z, antenna y */
     out->jacobian[20] = attitude_22;  /* value z, antenna z */

@@ -133,24 +133,6 @@ EKF_CAL_GPS_INLINE flag_t gps_known_antenna_kernel(
     const ekf_cal_gps_real_t value_out_x = attitude_arm_x + in->position_x;
     const ekf_cal_gps_real_t value_out_y = attitude_arm_y + in->position_y;
     const ekf_cal_gps_real_t value_out_z = attitude_arm_z + in->position_z;
-    const ekf_cal_gps_real_t attitude_arm_by_attitude_z_y = (attitude_20 * in->lever_arm_z) -
-        (attitude_22 * in->lever_arm_x);
-    const ekf_cal_gps_real_t attitude_arm_by_attitude_x_z = (attitude_01 * in->lever_arm_x) -
-        (attitude_00 * in->lever_arm_y);
-    const ekf_cal_gps_real_t attitude_arm_by_attitude_y_x = (attitude_12 * in->lever_arm_y) -
-        (attitude_11 * in->lever_arm_z);
-    const ekf_cal_gps_real_t attitude_arm_by_attitude_x_x = (attitude_02 * in->lever_arm_y) -
-        (attitude_01 * in->lever_arm_z);
-    const ekf_cal_gps_real_t attitude_arm_by_attitude_x_y = (attitude_00 * in->lever_arm_z) -
-        (attitude_02 * in->lever_arm_x);
-    const ekf_cal_gps_real_t attitude_arm_by_attitude_y_y = (attitude_10 * in->lever_arm_z) -
-        (attitude_12 * in->lever_arm_x);
-    const ekf_cal_gps_real_t attitude_arm_by_attitude_y_z = (attitude_11 * in->lever_arm_x) -
-        (attitude_10 * in->lever_arm_y);
-    const ekf_cal_gps_real_t attitude_arm_by_attitude_z_x = (attitude_22 * in->lever_arm_y) -
-        (attitude_21 * in->lever_arm_z);
-    const ekf_cal_gps_real_t attitude_arm_by_attitude_z_z = (attitude_21 * in->lever_arm_x) -
-        (attitude_20 * in->lever_arm_y);
 
     out->value[0] = value_out_x;  /* value x */
     out->value[1] = value_out_y;  /* value y */
@@ -161,17 +143,26 @@ EKF_CAL_GPS_INLINE flag_t gps_known_antenna_kernel(
     out->residual[2] = in->measured_z - value_out_z;  /* residual z */
 
     out->jacobian[0] = 1.0;  /* value x, position x */
-    out->jacobian[1] = attitude_arm_by_attitude_x_x;  /* value x, attitude x */
-    out->jacobian[2] = attitude_arm_by_attitude_x_y;  /* value x, attitude y */
-    out->jacobian[3] = attitude_arm_by_attitude_x_z;  /* value x, attitude z */
+    /* value x, attitude x */
+    out->jacobian[1] = (attitude_02 * in->lever_arm_y) - (attitude_01 * in->lever_arm_z);
+    /* value x, attitude y */
+    out->jacobian[2] = (attitude_00 * in->lever_arm_z) - (attitude_02 * in->lever_arm_x);
+    /* value x, attitude z */
+    out->jacobian[3] = (attitude_01 * in->lever_arm_x) - (attitude_00 * in->lever_arm_y);
     out->jacobian[4] = 1.0;  /* value y, position y */
-    out->jacobian[5] = attitude_arm_by_attitude_y_x;  /* value y, attitude x */
-    out->jacobian[6] = attitude_arm_by_attitude_y_y;  /* value y, attitude y */
-    out->jacobian[7] = attitude_arm_by_attitude_y_z;  /* value y, attitude z */
+    /* value y, attitude x */
+    out->jacobian[5] = (attitude_12 * in->lever_arm_y) - (attitude_11 * in->lever_arm_z);
+    /* value y, attitude y */
+    out->jacobian[6] = (attitude_10 * in->lever_arm_z) - (attitude_12 * in->lever_arm_x);
+    /* value y, attitude z */
+    out->jacobian[7] = (attitude_11 * in->lever_arm_x) - (attitude_10 * in->lever_arm_y);
     out->jacobian[8] = 1.0;  /* value z, position z */
-    out->jacobian[9] = attitude_arm_by_attitude_z_x;  /* value z, attitude x */
-    out->jacobian[10] = attitude_arm_by_attitude_z_y;  /* value z, attitude y */
-    out->jacobian[11] = attitude_arm_by_attitude_z_z;  /* value z, attitude z */
+    /* value z, attitude x */
+    out->jacobian[9] = (attitude_22 * in->lever_arm_y) - (attitude_21 * in->lever_arm_z);
+    /* value z, attitude y */
+    out->jacobian[10] = (attitude_20 * in->lever_arm_z) - (attitude_22 * in->lever_arm_x);
+    /* value z, attitude z */
+    out->jacobian[11] = (attitude_21 * in->lever_arm_x) - (attitude_20 * in->lever_arm_y);
 
     return (flag_t)EKF_CAL_GPS_OK;
 }

@@ -166,7 +166,6 @@ EKF_CAL_GPS_INLINE flag_t local_fix_kernel(const local_fix_input_t *in, local_fi
     const ekf_cal_gps_real_t sagitta = axis_distance * sagitta_by_axis_distance;
     const ekf_cal_gps_real_t inward = outward - (2.0 * sagitta);
     const ekf_cal_gps_real_t north = (cos_reference * rise) - (inward * sin_reference);
-    const ekf_cal_gps_real_t up = (cos_reference * inward) + (rise * sin_reference);
     const ekf_cal_gps_real_t t16 = 2.0 * axis_distance;
     const ekf_cal_gps_real_t sagitta_by_s_half_lon = t16 * s_half_lon;
     const ekf_cal_gps_real_t t144 = (-2.0) * s_half;
@@ -176,8 +175,6 @@ EKF_CAL_GPS_INLINE flag_t local_fix_kernel(const local_fix_input_t *in, local_fi
     const ekf_cal_gps_real_t east_by_axis_distance = 2.0 * c_half_lon * s_half_lon;
     const ekf_cal_gps_real_t east_by_s_half_lon = t16 * c_half_lon;
     const ekf_cal_gps_real_t east = east_by_s_half_lon * s_half_lon;
-    const ekf_cal_gps_real_t local_x = (heading_cosine * east) - (heading_sine * north);
-    const ekf_cal_gps_real_t local_y = (heading_cosine * north) + (heading_sine * east);
     const ekf_cal_gps_real_t s_half_by_fix_x = 0.5 * c_half;
     const ekf_cal_gps_real_t c_half_by_fix_x = (-0.5) * s_half;
     const ekf_cal_gps_real_t s_half_lon_by_fix_y = 0.5 * c_half_lon;
@@ -270,28 +267,10 @@ EKF_CAL_GPS_INLINE flag_t local_fix_kernel(const local_fix_input_t *in, local_fi
         (in->covariance_2_4 * up_by_fix_y) + (in->covariance_2_7 * up_by_fix_z_2);
     const ekf_cal_gps_real_t value_covariance_half_8 = (in->covariance_2_2 * up_by_fix_x_2) +
         (in->covariance_2_5 * up_by_fix_y) + (in->covariance_2_8 * up_by_fix_z_2);
-    const ekf_cal_gps_real_t value_covariance_out_0 = (local_by_fix_x_x * value_covariance_half_0) +
-        (local_by_fix_x_y * value_covariance_half_1) + (local_by_fix_x_z * value_covariance_half_2);
-    const ekf_cal_gps_real_t value_covariance_out_1 = (local_by_fix_y_x * value_covariance_half_0) +
-        (local_by_fix_y_y * value_covariance_half_1) + (local_by_fix_y_z * value_covariance_half_2);
-    const ekf_cal_gps_real_t value_covariance_out_2 = (up_by_fix_x_2 * value_covariance_half_0) +
-        (up_by_fix_y * value_covariance_half_1) + (up_by_fix_z_2 * value_covariance_half_2);
-    const ekf_cal_gps_real_t value_covariance_out_3 = (local_by_fix_x_x * value_covariance_half_3) +
-        (local_by_fix_x_y * value_covariance_half_4) + (local_by_fix_x_z * value_covariance_half_5);
-    const ekf_cal_gps_real_t value_covariance_out_4 = (local_by_fix_y_x * value_covariance_half_3) +
-        (local_by_fix_y_y * value_covariance_half_4) + (local_by_fix_y_z * value_covariance_half_5);
-    const ekf_cal_gps_real_t value_covariance_out_5 = (up_by_fix_x_2 * value_covariance_half_3) +
-        (up_by_fix_y * value_covariance_half_4) + (up_by_fix_z_2 * value_covariance_half_5);
-    const ekf_cal_gps_real_t value_covariance_out_6 = (local_by_fix_x_x * value_covariance_half_6) +
-        (local_by_fix_x_y * value_covariance_half_7) + (local_by_fix_x_z * value_covariance_half_8);
-    const ekf_cal_gps_real_t value_covariance_out_7 = (local_by_fix_y_x * value_covariance_half_6) +
-        (local_by_fix_y_y * value_covariance_half_7) + (local_by_fix_y_z * value_covariance_half_8);
-    const ekf_cal_gps_real_t value_covariance_out_8 = (up_by_fix_x_2 * value_covariance_half_6) +
-        (up_by_fix_y * value_covariance_half_7) + (up_by_fix_z_2 * value_covariance_half_8);
 
-    out->value[0] = local_x;  /* value x */
-    out->value[1] = local_y;  /* value y */
-    out->value[2] = up;  /* value z */
+    out->value[0] = (heading_cosine * east) - (heading_sine * north);  /* value x */
+    out->value[1] = (heading_cosine * north) + (heading_sine * east);  /* value y */
+    out->value[2] = (cos_reference * inward) + (rise * sin_reference);  /* value z */
 
     out->jacobian_fix[0] = local_by_fix_x_x;  /* value x, fix north */
     out->jacobian_fix[1] = local_by_fix_x_y;  /* value x, fix east */
@@ -303,15 +282,33 @@ EKF_CAL_GPS_INLINE flag_t local_fix_kernel(const local_fix_input_t *in, local_fi
     out->jacobian_fix[7] = up_by_fix_y;  /* value z, fix east */
     out->jacobian_fix[8] = up_by_fix_z_2;  /* value z, fix down */
 
-    out->value_covariance[0] = value_covariance_out_0;  /* value_covariance 0 */
-    out->value_covariance[1] = value_covariance_out_1;  /* value_covariance 1 */
-    out->value_covariance[2] = value_covariance_out_2;  /* value_covariance 2 */
-    out->value_covariance[3] = value_covariance_out_3;  /* value_covariance 3 */
-    out->value_covariance[4] = value_covariance_out_4;  /* value_covariance 4 */
-    out->value_covariance[5] = value_covariance_out_5;  /* value_covariance 5 */
-    out->value_covariance[6] = value_covariance_out_6;  /* value_covariance 6 */
-    out->value_covariance[7] = value_covariance_out_7;  /* value_covariance 7 */
-    out->value_covariance[8] = value_covariance_out_8;  /* value_covariance 8 */
+    /* value_covariance 0 */
+    out->value_covariance[0] = (local_by_fix_x_x * value_covariance_half_0) +
+        (local_by_fix_x_y * value_covariance_half_1) + (local_by_fix_x_z * value_covariance_half_2);
+    /* value_covariance 1 */
+    out->value_covariance[1] = (local_by_fix_y_x * value_covariance_half_0) +
+        (local_by_fix_y_y * value_covariance_half_1) + (local_by_fix_y_z * value_covariance_half_2);
+    /* value_covariance 2 */
+    out->value_covariance[2] = (up_by_fix_x_2 * value_covariance_half_0) +
+        (up_by_fix_y * value_covariance_half_1) + (up_by_fix_z_2 * value_covariance_half_2);
+    /* value_covariance 3 */
+    out->value_covariance[3] = (local_by_fix_x_x * value_covariance_half_3) +
+        (local_by_fix_x_y * value_covariance_half_4) + (local_by_fix_x_z * value_covariance_half_5);
+    /* value_covariance 4 */
+    out->value_covariance[4] = (local_by_fix_y_x * value_covariance_half_3) +
+        (local_by_fix_y_y * value_covariance_half_4) + (local_by_fix_y_z * value_covariance_half_5);
+    /* value_covariance 5 */
+    out->value_covariance[5] = (up_by_fix_x_2 * value_covariance_half_3) +
+        (up_by_fix_y * value_covariance_half_4) + (up_by_fix_z_2 * value_covariance_half_5);
+    /* value_covariance 6 */
+    out->value_covariance[6] = (local_by_fix_x_x * value_covariance_half_6) +
+        (local_by_fix_x_y * value_covariance_half_7) + (local_by_fix_x_z * value_covariance_half_8);
+    /* value_covariance 7 */
+    out->value_covariance[7] = (local_by_fix_y_x * value_covariance_half_6) +
+        (local_by_fix_y_y * value_covariance_half_7) + (local_by_fix_y_z * value_covariance_half_8);
+    /* value_covariance 8 */
+    out->value_covariance[8] = (up_by_fix_x_2 * value_covariance_half_6) +
+        (up_by_fix_y * value_covariance_half_7) + (up_by_fix_z_2 * value_covariance_half_8);
 
     return (flag_t)EKF_CAL_GPS_OK;
 }

@@ -168,30 +168,6 @@ EKF_CAL_ONLINE_INLINE flag_t gps_2_kernel(const gps_2_input_t *in, gps_2_output_
         (attitude_01 * heading_sine);
     const ekf_cal_online_real_t value_by_attitude_arm_inner_y_z = (attitude_12 * heading_cosine) -
         (attitude_02 * heading_sine);
-    const ekf_cal_online_real_t value_by_attitude_tangent_z_y = (in->antenna_2_z * attitude_20) -
-        (in->antenna_2_x * attitude_22);
-    const ekf_cal_online_real_t value_by_attitude_tangent_x_z =
-        (in->antenna_2_x * value_by_attitude_arm_inner_x_y) -
-        (in->antenna_2_y * value_by_attitude_arm_inner_x_x);
-    const ekf_cal_online_real_t value_by_attitude_tangent_y_x =
-        (in->antenna_2_y * value_by_attitude_arm_inner_y_z) -
-        (in->antenna_2_z * value_by_attitude_arm_inner_y_y);
-    const ekf_cal_online_real_t value_by_attitude_tangent_x_x =
-        (in->antenna_2_y * value_by_attitude_arm_inner_x_z) -
-        (in->antenna_2_z * value_by_attitude_arm_inner_x_y);
-    const ekf_cal_online_real_t value_by_attitude_tangent_x_y =
-        (in->antenna_2_z * value_by_attitude_arm_inner_x_x) -
-        (in->antenna_2_x * value_by_attitude_arm_inner_x_z);
-    const ekf_cal_online_real_t value_by_attitude_tangent_y_y =
-        (in->antenna_2_z * value_by_attitude_arm_inner_y_x) -
-        (in->antenna_2_x * value_by_attitude_arm_inner_y_z);
-    const ekf_cal_online_real_t value_by_attitude_tangent_y_z =
-        (in->antenna_2_x * value_by_attitude_arm_inner_y_y) -
-        (in->antenna_2_y * value_by_attitude_arm_inner_y_x);
-    const ekf_cal_online_real_t value_by_attitude_tangent_z_x = (in->antenna_2_y * attitude_22) -
-        (in->antenna_2_z * attitude_21);
-    const ekf_cal_online_real_t value_by_attitude_tangent_z_z = (in->antenna_2_x * attitude_21) -
-        (in->antenna_2_y * attitude_20);
 
     out->value[0] = value_out_x;  /* value x */
     out->value[1] = value_out_y;  /* value y */
@@ -203,26 +179,41 @@ EKF_CAL_ONLINE_INLINE flag_t gps_2_kernel(const gps_2_input_t *in, gps_2_output_
 
     out->jacobian[0] = heading_cosine;  /* value x, position x */
     out->jacobian[1] = heading_sine;  /* value x, position y */
-    out->jacobian[2] = value_by_attitude_tangent_x_x;  /* value x, attitude x */
-    out->jacobian[3] = value_by_attitude_tangent_x_y;  /* value x, attitude y */
-    out->jacobian[4] = value_by_attitude_tangent_x_z;  /* value x, attitude z */
+    /* value x, attitude x */
+    out->jacobian[2] = (in->antenna_2_y * value_by_attitude_arm_inner_x_z) -
+        (in->antenna_2_z * value_by_attitude_arm_inner_x_y);
+    /* value x, attitude y */
+    out->jacobian[3] = (in->antenna_2_z * value_by_attitude_arm_inner_x_x) -
+        (in->antenna_2_x * value_by_attitude_arm_inner_x_z);
+    /* value x, attitude z */
+    out->jacobian[4] = (in->antenna_2_x * value_by_attitude_arm_inner_x_y) -
+        (in->antenna_2_y * value_by_attitude_arm_inner_x_x);
     out->jacobian[5] = observed_y;  /* value x, heading */
     out->jacobian[6] = value_by_attitude_arm_inner_x_x;  /* value x, antenna_2 x */
     out->jacobian[7] = value_by_attitude_arm_inner_x_y;  /* value x, antenna_2 y */
     out->jacobian[8] = value_by_attitude_arm_inner_x_z;  /* value x, antenna_2 z */
     out->jacobian[9] = -heading_sine;  /* value y, position x */
     out->jacobian[10] = heading_cosine;  /* value y, position y */
-    out->jacobian[11] = value_by_attitude_tangent_y_x;  /* value y, attitude x */
-    out->jacobian[12] = value_by_attitude_tangent_y_y;  /* value y, attitude y */
-    out->jacobian[13] = value_by_attitude_tangent_y_z;  /* value y, attitude z */
+    /* value y, attitude x */
+    out->jacobian[11] = (in->antenna_2_y * value_by_attitude_arm_inner_y_z) -
+        (in->antenna_2_z * value_by_attitude_arm_inner_y_y);
+    /* value y, attitude y */
+    out->jacobian[12] = (in->antenna_2_z * value_by_attitude_arm_inner_y_x) -
+        (in->antenna_2_x * value_by_attitude_arm_inner_y_z);
+    /* value y, attitude z */
+    out->jacobian[13] = (in->antenna_2_x * value_by_attitude_arm_inner_y_y) -
+        (in->antenna_2_y * value_by_attitude_arm_inner_y_x);
     out->jacobian[14] = -observed_x;  /* value y, heading */
     out->jacobian[15] = value_by_attitude_arm_inner_y_x;  /* value y, antenna_2 x */
     out->jacobian[16] = value_by_attitude_arm_inner_y_y;  /* value y, antenna_2 y */
     out->jacobian[17] = value_by_attitude_arm_inner_y_z;  /* value y, antenna_2 z */
     out->jacobian[18] = 1.0;  /* value z, position z */
-    out->jacobian[19] = value_by_attitude_tangent_z_x;  /* value z, attitude x */
-    out->jacobian[20] = value_by_attitude_tangent_z_y;  /* value z, attitude y */
-    out->jacobian[21] = value_by_attitude_tangent_z_z;  /* value z, attitude z */
+    /* value z, attitude x */
+    out->jacobian[19] = (in->antenna_2_y * attitude_22) - (in->antenna_2_z * attitude_21);
+    /* value z, attitude y */
+    out->jacobian[20] = (in->antenna_2_z * attitude_20) - (in->antenna_2_x * attitude_22);
+    /* value z, attitude z */
+    out->jacobian[21] = (in->antenna_2_x * attitude_21) - (in->antenna_2_y * attitude_20);
     out->jacobian[22] = attitude_20;  /* value z, antenna_2 x */
     out->jacobian[23] = attitude_21;  /* value z, antenna_2 y */
     out->jacobian[24] = attitude_22;  /* value z, antenna_2 z */

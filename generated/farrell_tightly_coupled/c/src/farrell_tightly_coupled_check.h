@@ -85,14 +85,6 @@ FARRELL_TIGHTLY_COUPLED_INLINE bool is_centred(
 #endif
 }
 
-/* True when two values are equal; false when either is NaN. */
-FARRELL_TIGHTLY_COUPLED_INLINE bool is_equal(
-    farrell_tightly_coupled_real_t first,
-    farrell_tightly_coupled_real_t second)
-{
-    return (first <= second) && (first >= second);
-}
-
 /* 1 when a value is not a number inside a closed range, else 0. */
 FARRELL_TIGHTLY_COUPLED_INLINE flag_t is_outside(
     farrell_tightly_coupled_real_t value,
@@ -117,10 +109,10 @@ FARRELL_TIGHTLY_COUPLED_INLINE flag_t take_centred(
     farrell_tightly_coupled_real_t bound,
     farrell_tightly_coupled_real_t *copy)
 {
-    const farrell_tightly_coupled_real_t taken = is_centred(value, bound) ? value : 0.0;
+    const bool within = is_centred(value, bound);
 
-    *copy = taken;
-    return is_equal(taken, value) ? (flag_t)0U : (flag_t)1U;
+    *copy = within ? value : 0.0;
+    return within ? (flag_t)0U : (flag_t)1U;
 }
 
 /* 1 when a quaternion is not of unit norm, else 0. */

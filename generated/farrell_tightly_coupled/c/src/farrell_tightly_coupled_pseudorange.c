@@ -7,6 +7,8 @@
 
 #include "farrell_tightly_coupled/farrell_tightly_coupled.h"
 
+#include <string.h>
+
 #include "farrell_tightly_coupled_pseudorange_kernel.h"
 
 /* Items evaluated side by side. */
@@ -427,8 +429,9 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_jacobian(
     return status;
 }
 
-/* Non-zeros straight into the caller's columns, neighbouring items in one vector register. */
-FARRELL_TIGHTLY_COUPLED_INLINE void pseudorange_columns(
+/* Non-zeros straight into the caller's columns, neighbouring items in one vector register.
+   Returns zero where no item failed. */
+FARRELL_TIGHTLY_COUPLED_INLINE flag_t pseudorange_columns(
     int32_t stride,
     const pseudorange_input_t *FARRELL_TIGHTLY_COUPLED_RESTRICT in,
     const pseudorange_shared_t *FARRELL_TIGHTLY_COUPLED_RESTRICT shared,
@@ -443,6 +446,8 @@ FARRELL_TIGHTLY_COUPLED_INLINE void pseudorange_columns(
         FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS],
     flag_t codes[FARRELL_TIGHTLY_COUPLED_RESTRICT])
 {
+    flag_t failed = 0U;
+
     FARRELL_TIGHTLY_COUPLED_IVDEP
     for (int32_t i = 0; i < count; ++i) {
         pseudorange_item_t item;
@@ -452,10 +457,12 @@ FARRELL_TIGHTLY_COUPLED_INLINE void pseudorange_columns(
         const flag_t evaluated = pseudorange_item(in, shared, &item, &out);
 
         codes[i] = first_failure(loaded, evaluated);
+        failed |= codes[i];
         pseudorange_fill_value(out.value, &value[i]);
         pseudorange_fill_residual(out.residual, &residual[i]);
         pseudorange_put_jacobian(&out, stride, &jacobian_nz[i]);
     }
+    return failed;
 }
 
 /* The same with all that comes before and after; columns are a stride apart. */
@@ -488,18 +495,21 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_status_t pseudorange_spar
         status = (farrell_tightly_coupled_status_t)pseudorange_shared(&in, &shared);
         if (status == FARRELL_TIGHTLY_COUPLED_OK) {
             flag_t codes[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS];
+            const flag_t failed = pseudorange_columns(stride, &in, &shared, n, satellite_position,
+                measured, value, residual, jacobian_nz, codes);
 
-            pseudorange_columns(stride, &in, &shared, n, satellite_position, measured, value,
-                residual, jacobian_nz, codes);
-            for (int32_t i = 0; i < n; ++i) {
-                item_status[i] = (uint8_t)codes[i];
-                if (codes[i] != (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
-                    pseudorange_clear_value(&value[i]);
-                    pseudorange_clear_residual(&residual[i]);
-                    for (int32_t k = 0; k < 4; ++k) {
-                        jacobian_nz[(k * stride) + i] = 0.0;
+            (void)memset(item_status, (int)FARRELL_TIGHTLY_COUPLED_OK, (size_t)n);
+            if (failed != 0U) {
+                for (int32_t i = 0; i < n; ++i) {
+                    item_status[i] = (uint8_t)codes[i];
+                    if (codes[i] != (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+                        pseudorange_clear_value(&value[i]);
+                        pseudorange_clear_residual(&residual[i]);
+                        for (int32_t k = 0; k < 4; ++k) {
+                            jacobian_nz[(k * stride) + i] = 0.0;
+                        }
+                        status = FARRELL_TIGHTLY_COUPLED_PARTIAL;
                     }
-                    status = FARRELL_TIGHTLY_COUPLED_PARTIAL;
                 }
             }
         }

@@ -160,20 +160,20 @@ FARRELL_TIGHTLY_COUPLED_INLINE flag_t pseudorange_item(
     const farrell_tightly_coupled_real_t range_direction_y = range_vector_y * inverse_range;
     const farrell_tightly_coupled_real_t range_direction_z = range_vector_z * inverse_range;
     const farrell_tightly_coupled_real_t value_out = in->b_u + range;
-    const farrell_tightly_coupled_real_t range_by_dp_x = (in->c_n_e_00 * range_direction_x) +
-        (in->c_n_e_10 * range_direction_y) + (in->c_n_e_20 * range_direction_z);
-    const farrell_tightly_coupled_real_t range_by_dp_y = (in->c_n_e_01 * range_direction_x) +
-        (in->c_n_e_11 * range_direction_y) + (in->c_n_e_21 * range_direction_z);
-    const farrell_tightly_coupled_real_t range_by_dp_z = (in->c_n_e_02 * range_direction_x) +
-        (in->c_n_e_12 * range_direction_y) + (in->c_n_e_22 * range_direction_z);
 
     out->value[0] = value_out;
 
     out->residual[0] = item->measured - value_out;
 
-    out->jacobian[0] = range_by_dp_x;  /* dp x */
-    out->jacobian[1] = range_by_dp_y;  /* dp y */
-    out->jacobian[2] = range_by_dp_z;  /* dp z */
+    /* dp x */
+    out->jacobian[0] = (in->c_n_e_00 * range_direction_x) + (in->c_n_e_10 * range_direction_y) +
+        (in->c_n_e_20 * range_direction_z);
+    /* dp y */
+    out->jacobian[1] = (in->c_n_e_01 * range_direction_x) + (in->c_n_e_11 * range_direction_y) +
+        (in->c_n_e_21 * range_direction_z);
+    /* dp z */
+    out->jacobian[2] = (in->c_n_e_02 * range_direction_x) + (in->c_n_e_12 * range_direction_y) +
+        (in->c_n_e_22 * range_direction_z);
     out->jacobian[3] = 1.0;  /* b_u */
 
     return range_squared_ok ? (flag_t)FARRELL_TIGHTLY_COUPLED_OK :

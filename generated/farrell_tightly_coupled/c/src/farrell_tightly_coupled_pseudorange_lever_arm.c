@@ -7,6 +7,8 @@
 
 #include "farrell_tightly_coupled/farrell_tightly_coupled.h"
 
+#include <string.h>
+
 #include "farrell_tightly_coupled_pseudorange_lever_arm_kernel.h"
 
 /* Items evaluated side by side. */
@@ -395,8 +397,9 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_lever_arm_j
     return status;
 }
 
-/* Non-zeros straight into the caller's columns, neighbouring items in one vector register. */
-FARRELL_TIGHTLY_COUPLED_INLINE void pseudorange_lever_arm_columns(
+/* Non-zeros straight into the caller's columns, neighbouring items in one vector register.
+   Returns zero where no item failed. */
+FARRELL_TIGHTLY_COUPLED_INLINE flag_t pseudorange_lever_arm_columns(
     int32_t stride,
     const pseudorange_lever_arm_input_t *FARRELL_TIGHTLY_COUPLED_RESTRICT in,
     const pseudorange_lever_arm_shared_t *FARRELL_TIGHTLY_COUPLED_RESTRICT shared,
@@ -408,6 +411,8 @@ FARRELL_TIGHTLY_COUPLED_INLINE void pseudorange_lever_arm_columns(
         FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS],
     flag_t codes[FARRELL_TIGHTLY_COUPLED_RESTRICT])
 {
+    flag_t failed = 0U;
+
     FARRELL_TIGHTLY_COUPLED_IVDEP
     for (int32_t i = 0; i < count; ++i) {
         pseudorange_lever_arm_item_t item;
@@ -416,9 +421,11 @@ FARRELL_TIGHTLY_COUPLED_INLINE void pseudorange_lever_arm_columns(
         const flag_t evaluated = pseudorange_lever_arm_item(in, shared, &item, &out);
 
         codes[i] = first_failure(loaded, evaluated);
+        failed |= codes[i];
         pseudorange_lever_arm_fill_value(out.value, &value[i]);
         pseudorange_lever_arm_put_jacobian(&out, stride, &jacobian_nz[i]);
     }
+    return failed;
 }
 
 /* The same with all that comes before and after; columns are a stride apart. */
@@ -449,17 +456,20 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_status_t pseudorange_leve
         status = (farrell_tightly_coupled_status_t)pseudorange_lever_arm_shared(&in, &shared);
         if (status == FARRELL_TIGHTLY_COUPLED_OK) {
             flag_t codes[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS];
+            const flag_t failed = pseudorange_lever_arm_columns(stride, &in, &shared, n,
+                satellite_position, value, jacobian_nz, codes);
 
-            pseudorange_lever_arm_columns(stride, &in, &shared, n, satellite_position, value,
-                jacobian_nz, codes);
-            for (int32_t i = 0; i < n; ++i) {
-                item_status[i] = (uint8_t)codes[i];
-                if (codes[i] != (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
-                    pseudorange_lever_arm_clear_value(&value[i]);
-                    for (int32_t k = 0; k < 7; ++k) {
-                        jacobian_nz[(k * stride) + i] = 0.0;
+            (void)memset(item_status, (int)FARRELL_TIGHTLY_COUPLED_OK, (size_t)n);
+            if (failed != 0U) {
+                for (int32_t i = 0; i < n; ++i) {
+                    item_status[i] = (uint8_t)codes[i];
+                    if (codes[i] != (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+                        pseudorange_lever_arm_clear_value(&value[i]);
+                        for (int32_t k = 0; k < 7; ++k) {
+                            jacobian_nz[(k * stride) + i] = 0.0;
+                        }
+                        status = FARRELL_TIGHTLY_COUPLED_PARTIAL;
                     }
-                    status = FARRELL_TIGHTLY_COUPLED_PARTIAL;
                 }
             }
         }

@@ -212,7 +212,6 @@ FARRELL_TIGHTLY_COUPLED_INLINE flag_t pseudorange_lever_arm_item(
     const farrell_tightly_coupled_real_t range_direction_x = range_vector_x * inverse_range;
     const farrell_tightly_coupled_real_t range_direction_y = range_vector_y * inverse_range;
     const farrell_tightly_coupled_real_t range_direction_z = range_vector_z * inverse_range;
-    const farrell_tightly_coupled_real_t value_out = in->b_u + range;
     const farrell_tightly_coupled_real_t value_by_antenna_nav_x =
         (in->c_n_e_00 * range_direction_x) + (in->c_n_e_10 * range_direction_y) +
         (in->c_n_e_20 * range_direction_z);
@@ -222,25 +221,22 @@ FARRELL_TIGHTLY_COUPLED_INLINE flag_t pseudorange_lever_arm_item(
     const farrell_tightly_coupled_real_t value_by_antenna_nav_z =
         (in->c_n_e_02 * range_direction_x) + (in->c_n_e_12 * range_direction_y) +
         (in->c_n_e_22 * range_direction_z);
-    const farrell_tightly_coupled_real_t value_by_drho_tangent_x =
-        (shared->drho_arm_y * value_by_antenna_nav_z) -
-        (shared->drho_arm_z * value_by_antenna_nav_y);
-    const farrell_tightly_coupled_real_t value_by_drho_tangent_y =
-        (shared->drho_arm_z * value_by_antenna_nav_x) -
-        (shared->drho_arm_x * value_by_antenna_nav_z);
-    const farrell_tightly_coupled_real_t value_by_drho_tangent_z =
-        (shared->drho_arm_x * value_by_antenna_nav_y) -
-        (shared->drho_arm_y * value_by_antenna_nav_x);
 
-    out->value[0] = value_out;
+    out->value[0] = in->b_u + range;
 
     out->jacobian[0] = value_by_antenna_nav_x;  /* dp x */
     out->jacobian[1] = value_by_antenna_nav_y;  /* dp y */
     out->jacobian[2] = value_by_antenna_nav_z;  /* dp z */
     out->jacobian[3] = 1.0;  /* b_u */
-    out->jacobian[4] = value_by_drho_tangent_x;  /* drho x */
-    out->jacobian[5] = value_by_drho_tangent_y;  /* drho y */
-    out->jacobian[6] = value_by_drho_tangent_z;  /* drho z */
+    /* drho x */
+    out->jacobian[4] = (shared->drho_arm_y * value_by_antenna_nav_z) -
+        (shared->drho_arm_z * value_by_antenna_nav_y);
+    /* drho y */
+    out->jacobian[5] = (shared->drho_arm_z * value_by_antenna_nav_x) -
+        (shared->drho_arm_x * value_by_antenna_nav_z);
+    /* drho z */
+    out->jacobian[6] = (shared->drho_arm_x * value_by_antenna_nav_y) -
+        (shared->drho_arm_y * value_by_antenna_nav_x);
 
     return range_squared_ok ? (flag_t)FARRELL_TIGHTLY_COUPLED_OK :
         (flag_t)FARRELL_TIGHTLY_COUPLED_DOMAIN;

@@ -118,14 +118,14 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t calc_force_kernel(
     const navtk_specific_force_real_t half_theta_x = 0.5 * in->delta_theta_x;
     const navtk_specific_force_real_t half_theta_y = 0.5 * in->delta_theta_y;
     const navtk_specific_force_real_t half_theta_z = 0.5 * in->delta_theta_z;
-    const navtk_specific_force_real_t t11 = in->delta_velocity_x +
-        (in->delta_velocity_z * half_theta_y) - (in->delta_velocity_y * half_theta_z);
+    const navtk_specific_force_real_t t11 = (in->delta_velocity_z * half_theta_y) +
+        in->delta_velocity_x - (in->delta_velocity_y * half_theta_z);
     const navtk_specific_force_real_t force_x = t11 * inverse_dt;
-    const navtk_specific_force_real_t t21 = in->delta_velocity_y +
-        (in->delta_velocity_x * half_theta_z) - (in->delta_velocity_z * half_theta_x);
+    const navtk_specific_force_real_t t21 = (in->delta_velocity_x * half_theta_z) +
+        in->delta_velocity_y - (in->delta_velocity_z * half_theta_x);
     const navtk_specific_force_real_t force_y = t21 * inverse_dt;
-    const navtk_specific_force_real_t t29 = in->delta_velocity_z +
-        (in->delta_velocity_y * half_theta_x) - (in->delta_velocity_x * half_theta_y);
+    const navtk_specific_force_real_t t29 = (in->delta_velocity_y * half_theta_x) +
+        in->delta_velocity_z - (in->delta_velocity_x * half_theta_y);
     const navtk_specific_force_real_t force_z = t29 * inverse_dt;
     const navtk_specific_force_real_t resolved_x = (force_x * in->dcm_00) + (force_y * in->dcm_01) +
         (force_z * in->dcm_02);
@@ -133,35 +133,11 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t calc_force_kernel(
         (force_z * in->dcm_12);
     const navtk_specific_force_real_t resolved_z = (force_x * in->dcm_20) + (force_y * in->dcm_21) +
         (force_z * in->dcm_22);
-    const navtk_specific_force_real_t value_by_delta_velocity_z_y = (in->dcm_21 * inverse_dt) +
-        (in->dcm_22 * half_theta_x * inverse_dt) - (in->dcm_20 * half_theta_z * inverse_dt);
-    const navtk_specific_force_real_t value_by_delta_velocity_x_z = (in->dcm_02 * inverse_dt) +
-        (in->dcm_00 * half_theta_y * inverse_dt) - (in->dcm_01 * half_theta_x * inverse_dt);
-    const navtk_specific_force_real_t value_by_delta_velocity_y_x = (in->dcm_10 * inverse_dt) +
-        (in->dcm_11 * half_theta_z * inverse_dt) - (in->dcm_12 * half_theta_y * inverse_dt);
-    const navtk_specific_force_real_t value_by_delta_velocity_x_x = (in->dcm_00 * inverse_dt) +
-        (in->dcm_01 * half_theta_z * inverse_dt) - (in->dcm_02 * half_theta_y * inverse_dt);
-    const navtk_specific_force_real_t value_by_delta_velocity_x_y = (in->dcm_01 * inverse_dt) +
-        (in->dcm_02 * half_theta_x * inverse_dt) - (in->dcm_00 * half_theta_z * inverse_dt);
-    const navtk_specific_force_real_t value_by_delta_velocity_y_y = (in->dcm_11 * inverse_dt) +
-        (in->dcm_12 * half_theta_x * inverse_dt) - (in->dcm_10 * half_theta_z * inverse_dt);
-    const navtk_specific_force_real_t value_by_delta_velocity_y_z = (in->dcm_12 * inverse_dt) +
-        (in->dcm_10 * half_theta_y * inverse_dt) - (in->dcm_11 * half_theta_x * inverse_dt);
-    const navtk_specific_force_real_t value_by_delta_velocity_z_x = (in->dcm_20 * inverse_dt) +
-        (in->dcm_21 * half_theta_z * inverse_dt) - (in->dcm_22 * half_theta_y * inverse_dt);
-    const navtk_specific_force_real_t value_by_delta_velocity_z_z = (in->dcm_22 * inverse_dt) +
-        (in->dcm_20 * half_theta_y * inverse_dt) - (in->dcm_21 * half_theta_x * inverse_dt);
     /* shared reciprocal */
     const navtk_specific_force_real_t inverse_t170 = 1.0 / (in->dt * in->dt);
     const navtk_specific_force_real_t t171 = t11 * inverse_t170;
     const navtk_specific_force_real_t t173 = t21 * inverse_t170;
     const navtk_specific_force_real_t t176 = t29 * inverse_t170;
-    const navtk_specific_force_real_t value_by_dt_x =
-        -((in->dcm_00 * t171) + (in->dcm_01 * t173) + (in->dcm_02 * t176));
-    const navtk_specific_force_real_t value_by_dt_y =
-        -((in->dcm_10 * t171) + (in->dcm_11 * t173) + (in->dcm_12 * t176));
-    const navtk_specific_force_real_t value_by_dt_z =
-        -((in->dcm_20 * t171) + (in->dcm_21 * t173) + (in->dcm_22 * t176));
     const navtk_specific_force_real_t value_by_half_theta_z_y =
         (in->dcm_20 * in->delta_velocity_z * inverse_dt) -
         (in->dcm_22 * in->delta_velocity_x * inverse_dt);
@@ -211,19 +187,40 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t calc_force_kernel(
     out->jacobian_delta_theta[7] = 0.5 * value_by_half_theta_z_y;  /* value z, delta_theta y */
     out->jacobian_delta_theta[8] = 0.5 * value_by_half_theta_z_z;  /* value z, delta_theta z */
 
-    out->jacobian_delta_velocity[0] = value_by_delta_velocity_x_x;  /* value x, delta_velocity x */
-    out->jacobian_delta_velocity[1] = value_by_delta_velocity_x_y;  /* value x, delta_velocity y */
-    out->jacobian_delta_velocity[2] = value_by_delta_velocity_x_z;  /* value x, delta_velocity z */
-    out->jacobian_delta_velocity[3] = value_by_delta_velocity_y_x;  /* value y, delta_velocity x */
-    out->jacobian_delta_velocity[4] = value_by_delta_velocity_y_y;  /* value y, delta_velocity y */
-    out->jacobian_delta_velocity[5] = value_by_delta_velocity_y_z;  /* value y, delta_velocity z */
-    out->jacobian_delta_velocity[6] = value_by_delta_velocity_z_x;  /* value z, delta_velocity x */
-    out->jacobian_delta_velocity[7] = value_by_delta_velocity_z_y;  /* value z, delta_velocity y */
-    out->jacobian_delta_velocity[8] = value_by_delta_velocity_z_z;  /* value z, delta_velocity z */
+    /* value x, delta_velocity x */
+    out->jacobian_delta_velocity[0] = (in->dcm_00 * inverse_dt) +
+        (in->dcm_01 * half_theta_z * inverse_dt) - (in->dcm_02 * half_theta_y * inverse_dt);
+    /* value x, delta_velocity y */
+    out->jacobian_delta_velocity[1] = (in->dcm_01 * inverse_dt) +
+        (in->dcm_02 * half_theta_x * inverse_dt) - (in->dcm_00 * half_theta_z * inverse_dt);
+    /* value x, delta_velocity z */
+    out->jacobian_delta_velocity[2] = (in->dcm_02 * inverse_dt) +
+        (in->dcm_00 * half_theta_y * inverse_dt) - (in->dcm_01 * half_theta_x * inverse_dt);
+    /* value y, delta_velocity x */
+    out->jacobian_delta_velocity[3] = (in->dcm_10 * inverse_dt) +
+        (in->dcm_11 * half_theta_z * inverse_dt) - (in->dcm_12 * half_theta_y * inverse_dt);
+    /* value y, delta_velocity y */
+    out->jacobian_delta_velocity[4] = (in->dcm_11 * inverse_dt) +
+        (in->dcm_12 * half_theta_x * inverse_dt) - (in->dcm_10 * half_theta_z * inverse_dt);
+    /* value y, delta_velocity z */
+    out->jacobian_delta_velocity[5] = (in->dcm_12 * inverse_dt) +
+        (in->dcm_10 * half_theta_y * inverse_dt) - (in->dcm_11 * half_theta_x * inverse_dt);
+    /* value z, delta_velocity x */
+    out->jacobian_delta_velocity[6] = (in->dcm_20 * inverse_dt) +
+        (in->dcm_21 * half_theta_z * inverse_dt) - (in->dcm_22 * half_theta_y * inverse_dt);
+    /* value z, delta_velocity y */
+    out->jacobian_delta_velocity[7] = (in->dcm_21 * inverse_dt) +
+        (in->dcm_22 * half_theta_x * inverse_dt) - (in->dcm_20 * half_theta_z * inverse_dt);
+    /* value z, delta_velocity z */
+    out->jacobian_delta_velocity[8] = (in->dcm_22 * inverse_dt) +
+        (in->dcm_20 * half_theta_y * inverse_dt) - (in->dcm_21 * half_theta_x * inverse_dt);
 
-    out->jacobian_dt[0] = value_by_dt_x;  /* value x, dt */
-    out->jacobian_dt[1] = value_by_dt_y;  /* value y, dt */
-    out->jacobian_dt[2] = value_by_dt_z;  /* value z, dt */
+    /* value x, dt */
+    out->jacobian_dt[0] = -((in->dcm_00 * t171) + (in->dcm_01 * t173) + (in->dcm_02 * t176));
+    /* value y, dt */
+    out->jacobian_dt[1] = -((in->dcm_10 * t171) + (in->dcm_11 * t173) + (in->dcm_12 * t176));
+    /* value z, dt */
+    out->jacobian_dt[2] = -((in->dcm_20 * t171) + (in->dcm_21 * t173) + (in->dcm_22 * t176));
 
     return (flag_t)NAVTK_SPECIFIC_FORCE_OK;
 }

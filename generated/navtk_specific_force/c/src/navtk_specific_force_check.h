@@ -85,14 +85,6 @@ NAVTK_SPECIFIC_FORCE_INLINE bool is_centred(
 #endif
 }
 
-/* True when two values are equal; false when either is NaN. */
-NAVTK_SPECIFIC_FORCE_INLINE bool is_equal(
-    navtk_specific_force_real_t first,
-    navtk_specific_force_real_t second)
-{
-    return (first <= second) && (first >= second);
-}
-
 /* 1 when a value is not a number inside [-bound, bound], else 0. */
 NAVTK_SPECIFIC_FORCE_INLINE flag_t is_beyond(
     navtk_specific_force_real_t value,
@@ -109,10 +101,10 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t take_value(
     navtk_specific_force_real_t upper,
     navtk_specific_force_real_t *copy)
 {
-    const navtk_specific_force_real_t taken = is_within(value, lower, upper) ? value : lower;
+    const bool within = is_within(value, lower, upper);
 
-    *copy = taken;
-    return is_equal(taken, value) ? (flag_t)0U : (flag_t)1U;
+    *copy = within ? value : lower;
+    return within ? (flag_t)0U : (flag_t)1U;
 }
 
 /* Copy a value into [-bound, bound]. Outside it, or for NaN, zero stands for it and 1 is
@@ -122,10 +114,10 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t take_centred(
     navtk_specific_force_real_t bound,
     navtk_specific_force_real_t *copy)
 {
-    const navtk_specific_force_real_t taken = is_centred(value, bound) ? value : 0.0;
+    const bool within = is_centred(value, bound);
 
-    *copy = taken;
-    return is_equal(taken, value) ? (flag_t)0U : (flag_t)1U;
+    *copy = within ? value : 0.0;
+    return within ? (flag_t)0U : (flag_t)1U;
 }
 
 /* 1 when a quaternion is not of unit norm, else 0. */

@@ -157,11 +157,11 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t force_kernel(const force_input_t *in, force_o
     const navtk_specific_force_real_t half_theta_x = 0.5 * a_x;
     const navtk_specific_force_real_t half_theta_y = 0.5 * a_y;
     const navtk_specific_force_real_t half_theta_z = 0.5 * a_z;
-    const navtk_specific_force_real_t t36 = v_x + (half_theta_y * v_z) - (half_theta_z * v_y);
+    const navtk_specific_force_real_t t36 = (half_theta_y * v_z) + v_x - (half_theta_z * v_y);
     const navtk_specific_force_real_t force_x = t36 * inverse_dt;
-    const navtk_specific_force_real_t t52 = v_y + (half_theta_z * v_x) - (half_theta_x * v_z);
+    const navtk_specific_force_real_t t52 = (half_theta_z * v_x) + v_y - (half_theta_x * v_z);
     const navtk_specific_force_real_t force_y = t52 * inverse_dt;
-    const navtk_specific_force_real_t t62 = v_z + (half_theta_x * v_y) - (half_theta_y * v_x);
+    const navtk_specific_force_real_t t62 = (half_theta_x * v_y) + v_z - (half_theta_y * v_x);
     const navtk_specific_force_real_t force_z = t62 * inverse_dt;
     const navtk_specific_force_real_t resolved_x = (attitude_00 * force_x) +
         (attitude_01 * force_y) + (attitude_02 * force_z);
@@ -214,15 +214,6 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t force_kernel(const force_input_t *in, force_o
     const navtk_specific_force_real_t value_by_a_y_z = 0.5 * value_by_half_theta_y_z;
     const navtk_specific_force_real_t value_by_a_z_x = 0.5 * value_by_half_theta_z_x;
     const navtk_specific_force_real_t value_by_a_z_z = 0.5 * value_by_half_theta_z_z;
-    const navtk_specific_force_real_t value_by_accelerometer_bias_z_y = -(in->dt * value_by_v_z_y);
-    const navtk_specific_force_real_t value_by_accelerometer_bias_x_z = -(in->dt * value_by_v_x_z);
-    const navtk_specific_force_real_t value_by_accelerometer_bias_y_x = -(in->dt * value_by_v_y_x);
-    const navtk_specific_force_real_t value_by_accelerometer_bias_x_x = -(in->dt * value_by_v_x_x);
-    const navtk_specific_force_real_t value_by_accelerometer_bias_x_y = -(in->dt * value_by_v_x_y);
-    const navtk_specific_force_real_t value_by_accelerometer_bias_y_y = -(in->dt * value_by_v_y_y);
-    const navtk_specific_force_real_t value_by_accelerometer_bias_y_z = -(in->dt * value_by_v_y_z);
-    const navtk_specific_force_real_t value_by_accelerometer_bias_z_x = -(in->dt * value_by_v_z_x);
-    const navtk_specific_force_real_t value_by_accelerometer_bias_z_z = -(in->dt * value_by_v_z_z);
     /* shared reciprocal */
     const navtk_specific_force_real_t inverse_t243 = 1.0 / (in->dt * in->dt);
     const navtk_specific_force_real_t t244 = t36 * inverse_t243;
@@ -232,32 +223,14 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t force_kernel(const force_input_t *in, force_o
         (attitude_02 * t249) + (in->accelerometer_bias_x * value_by_v_x_x);
     const navtk_specific_force_real_t t262 = (in->gyro_bias_y * value_by_a_x_y) +
         (in->gyro_bias_z * value_by_a_x_z);
-    const navtk_specific_force_real_t value_by_dt_x_3 = -(t253 +
-        ((in->accelerometer_bias_y * value_by_v_x_y) +
-        (in->accelerometer_bias_z * value_by_v_x_z)) + (in->gyro_bias_x * value_by_a_x_x) + t262);
     const navtk_specific_force_real_t t271 = (attitude_10 * t244) + (attitude_11 * t246) +
         (attitude_12 * t249) + (in->accelerometer_bias_x * value_by_v_y_x);
     const navtk_specific_force_real_t t280 = (in->gyro_bias_y * value_by_a_y_y) +
         (in->gyro_bias_z * value_by_a_y_z);
-    const navtk_specific_force_real_t value_by_dt_y_3 = -(t271 +
-        ((in->accelerometer_bias_y * value_by_v_y_y) +
-        (in->accelerometer_bias_z * value_by_v_y_z)) + (in->gyro_bias_x * value_by_a_y_x) + t280);
     const navtk_specific_force_real_t t289 = (attitude_20 * t244) + (attitude_21 * t246) +
         (attitude_22 * t249) + (in->accelerometer_bias_x * value_by_v_z_x);
     const navtk_specific_force_real_t t298 = (in->gyro_bias_y * value_by_a_z_y) +
         (in->gyro_bias_z * value_by_a_z_z);
-    const navtk_specific_force_real_t value_by_dt_z_3 = -(t289 +
-        ((in->accelerometer_bias_y * value_by_v_z_y) +
-        (in->accelerometer_bias_z * value_by_v_z_z)) + (in->gyro_bias_x * value_by_a_z_x) + t298);
-    const navtk_specific_force_real_t value_by_gyro_bias_z_y = -(in->dt * value_by_a_z_y);
-    const navtk_specific_force_real_t value_by_gyro_bias_x_z = -(in->dt * value_by_a_x_z);
-    const navtk_specific_force_real_t value_by_gyro_bias_y_x = -(in->dt * value_by_a_y_x);
-    const navtk_specific_force_real_t value_by_gyro_bias_x_x = -(in->dt * value_by_a_x_x);
-    const navtk_specific_force_real_t value_by_gyro_bias_x_y = -(in->dt * value_by_a_x_y);
-    const navtk_specific_force_real_t value_by_gyro_bias_y_y = -(in->dt * value_by_a_y_y);
-    const navtk_specific_force_real_t value_by_gyro_bias_y_z = -(in->dt * value_by_a_y_z);
-    const navtk_specific_force_real_t value_by_gyro_bias_z_x = -(in->dt * value_by_a_z_x);
-    const navtk_specific_force_real_t value_by_gyro_bias_z_z = -(in->dt * value_by_a_z_z);
 
     out->value[0] = resolved_x;  /* value x */
     out->value[1] = resolved_y;  /* value y */
@@ -265,28 +238,28 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t force_kernel(const force_input_t *in, force_o
 
     out->jacobian[0] = -resolved_z;  /* value x, attitude y */
     out->jacobian[1] = resolved_y;  /* value x, attitude z */
-    out->jacobian[2] = value_by_accelerometer_bias_x_x;  /* value x, accelerometer_bias x */
-    out->jacobian[3] = value_by_accelerometer_bias_x_y;  /* value x, accelerometer_bias y */
-    out->jacobian[4] = value_by_accelerometer_bias_x_z;  /* value x, accelerometer_bias z */
-    out->jacobian[5] = value_by_gyro_bias_x_x;  /* value x, gyro_bias x */
-    out->jacobian[6] = value_by_gyro_bias_x_y;  /* value x, gyro_bias y */
-    out->jacobian[7] = value_by_gyro_bias_x_z;  /* value x, gyro_bias z */
+    out->jacobian[2] = -(in->dt * value_by_v_x_x);  /* value x, accelerometer_bias x */
+    out->jacobian[3] = -(in->dt * value_by_v_x_y);  /* value x, accelerometer_bias y */
+    out->jacobian[4] = -(in->dt * value_by_v_x_z);  /* value x, accelerometer_bias z */
+    out->jacobian[5] = -(in->dt * value_by_a_x_x);  /* value x, gyro_bias x */
+    out->jacobian[6] = -(in->dt * value_by_a_x_y);  /* value x, gyro_bias y */
+    out->jacobian[7] = -(in->dt * value_by_a_x_z);  /* value x, gyro_bias z */
     out->jacobian[8] = resolved_z;  /* value y, attitude x */
     out->jacobian[9] = -resolved_x;  /* value y, attitude z */
-    out->jacobian[10] = value_by_accelerometer_bias_y_x;  /* value y, accelerometer_bias x */
-    out->jacobian[11] = value_by_accelerometer_bias_y_y;  /* value y, accelerometer_bias y */
-    out->jacobian[12] = value_by_accelerometer_bias_y_z;  /* value y, accelerometer_bias z */
-    out->jacobian[13] = value_by_gyro_bias_y_x;  /* value y, gyro_bias x */
-    out->jacobian[14] = value_by_gyro_bias_y_y;  /* value y, gyro_bias y */
-    out->jacobian[15] = value_by_gyro_bias_y_z;  /* value y, gyro_bias z */
+    out->jacobian[10] = -(in->dt * value_by_v_y_x);  /* value y, accelerometer_bias x */
+    out->jacobian[11] = -(in->dt * value_by_v_y_y);  /* value y, accelerometer_bias y */
+    out->jacobian[12] = -(in->dt * value_by_v_y_z);  /* value y, accelerometer_bias z */
+    out->jacobian[13] = -(in->dt * value_by_a_y_x);  /* value y, gyro_bias x */
+    out->jacobian[14] = -(in->dt * value_by_a_y_y);  /* value y, gyro_bias y */
+    out->jacobian[15] = -(in->dt * value_by_a_y_z);  /* value y, gyro_bias z */
     out->jacobian[16] = -resolved_y;  /* value z, attitude x */
     out->jacobian[17] = resolved_x;  /* value z, attitude y */
-    out->jacobian[18] = value_by_accelerometer_bias_z_x;  /* value z, accelerometer_bias x */
-    out->jacobian[19] = value_by_accelerometer_bias_z_y;  /* value z, accelerometer_bias y */
-    out->jacobian[20] = value_by_accelerometer_bias_z_z;  /* value z, accelerometer_bias z */
-    out->jacobian[21] = value_by_gyro_bias_z_x;  /* value z, gyro_bias x */
-    out->jacobian[22] = value_by_gyro_bias_z_y;  /* value z, gyro_bias y */
-    out->jacobian[23] = value_by_gyro_bias_z_z;  /* value z, gyro_bias z */
+    out->jacobian[18] = -(in->dt * value_by_v_z_x);  /* value z, accelerometer_bias x */
+    out->jacobian[19] = -(in->dt * value_by_v_z_y);  /* value z, accelerometer_bias y */
+    out->jacobian[20] = -(in->dt * value_by_v_z_z);  /* value z, accelerometer_bias z */
+    out->jacobian[21] = -(in->dt * value_by_a_z_x);  /* value z, gyro_bias x */
+    out->jacobian[22] = -(in->dt * value_by_a_z_y);  /* value z, gyro_bias y */
+    out->jacobian[23] = -(in->dt * value_by_a_z_z);  /* value z, gyro_bias z */
 
     out->jacobian_delta_theta[0] = value_by_a_x_x;  /* value x, delta_theta x */
     out->jacobian_delta_theta[1] = value_by_a_x_y;  /* value x, delta_theta y */
@@ -308,9 +281,15 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t force_kernel(const force_input_t *in, force_o
     out->jacobian_delta_velocity[7] = value_by_v_z_y;  /* value z, delta_velocity y */
     out->jacobian_delta_velocity[8] = value_by_v_z_z;  /* value z, delta_velocity z */
 
-    out->jacobian_dt[0] = value_by_dt_x_3;  /* value x, dt */
-    out->jacobian_dt[1] = value_by_dt_y_3;  /* value y, dt */
-    out->jacobian_dt[2] = value_by_dt_z_3;  /* value z, dt */
+    /* value x, dt */
+    out->jacobian_dt[0] = -(t253 + ((in->accelerometer_bias_y * value_by_v_x_y) +
+        (in->accelerometer_bias_z * value_by_v_x_z)) + (in->gyro_bias_x * value_by_a_x_x) + t262);
+    /* value y, dt */
+    out->jacobian_dt[1] = -(t271 + ((in->accelerometer_bias_y * value_by_v_y_y) +
+        (in->accelerometer_bias_z * value_by_v_y_z)) + (in->gyro_bias_x * value_by_a_y_x) + t280);
+    /* value z, dt */
+    out->jacobian_dt[2] = -(t289 + ((in->accelerometer_bias_y * value_by_v_z_y) +
+        (in->accelerometer_bias_z * value_by_v_z_z)) + (in->gyro_bias_x * value_by_a_z_x) + t298);
 
     return (flag_t)NAVTK_SPECIFIC_FORCE_OK;
 }

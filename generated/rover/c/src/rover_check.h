@@ -109,10 +109,10 @@ ROVER_INLINE flag_t take_value(
     rover_real_t upper,
     rover_real_t *copy)
 {
-    const rover_real_t taken = is_within(value, lower, upper) ? value : lower;
+    const bool within = is_within(value, lower, upper);
 
-    *copy = taken;
-    return is_equal(taken, value) ? (flag_t)0U : (flag_t)1U;
+    *copy = within ? value : lower;
+    return within ? (flag_t)0U : (flag_t)1U;
 }
 
 /* Copy a value into [-bound, bound]. Outside it, or for NaN, zero stands for it and 1 is
@@ -122,10 +122,10 @@ ROVER_INLINE flag_t take_centred(
     rover_real_t bound,
     rover_real_t *copy)
 {
-    const rover_real_t taken = is_centred(value, bound) ? value : 0.0;
+    const bool within = is_centred(value, bound);
 
-    *copy = taken;
-    return is_equal(taken, value) ? (flag_t)0U : (flag_t)1U;
+    *copy = within ? value : 0.0;
+    return within ? (flag_t)0U : (flag_t)1U;
 }
 
 /* Copy an integer into its range: the lower end stands for what is outside, and 1 is returned. */

@@ -105,50 +105,38 @@ ROVER_INLINE flag_t gps_kernel(const gps_input_t *in, gps_output_t *out)
         (in->antenna_y * attitude_11) + (in->antenna_z * attitude_12);
     const rover_real_t attitude_arm_z = (in->antenna_x * attitude_20) +
         (in->antenna_y * attitude_21) + (in->antenna_z * attitude_22);
-    const rover_real_t value_out_x = attitude_arm_x + in->position_x;
-    const rover_real_t value_out_y = attitude_arm_y + in->position_y;
-    const rover_real_t value_out_z = attitude_arm_z + in->position_z;
-    const rover_real_t attitude_arm_by_attitude_z_y = (in->antenna_z * attitude_20) -
-        (in->antenna_x * attitude_22);
-    const rover_real_t attitude_arm_by_attitude_x_z = (in->antenna_x * attitude_01) -
-        (in->antenna_y * attitude_00);
-    const rover_real_t attitude_arm_by_attitude_y_x = (in->antenna_y * attitude_12) -
-        (in->antenna_z * attitude_11);
-    const rover_real_t attitude_arm_by_attitude_x_x = (in->antenna_y * attitude_02) -
-        (in->antenna_z * attitude_01);
-    const rover_real_t attitude_arm_by_attitude_x_y = (in->antenna_z * attitude_00) -
-        (in->antenna_x * attitude_02);
-    const rover_real_t attitude_arm_by_attitude_y_y = (in->antenna_z * attitude_10) -
-        (in->antenna_x * attitude_12);
-    const rover_real_t attitude_arm_by_attitude_y_z = (in->antenna_x * attitude_11) -
-        (in->antenna_y * attitude_10);
-    const rover_real_t attitude_arm_by_attitude_z_x = (in->antenna_y * attitude_22) -
-        (in->antenna_z * attitude_21);
-    const rover_real_t attitude_arm_by_attitude_z_z = (in->antenna_x * attitude_21) -
-        (in->antenna_y * attitude_20);
 
-    out->value[0] = value_out_x;  /* value x */
-    out->value[1] = value_out_y;  /* value y */
-    out->value[2] = value_out_z;  /* value z */
+    out->value[0] = attitude_arm_x + in->position_x;  /* value x */
+    out->value[1] = attitude_arm_y + in->position_y;  /* value y */
+    out->value[2] = attitude_arm_z + in->position_z;  /* value z */
 
     out->jacobian[0] = 1.0;  /* value x, position x */
-    out->jacobian[1] = attitude_arm_by_attitude_x_x;  /* value x, attitude x */
-    out->jacobian[2] = attitude_arm_by_attitude_x_y;  /* value x, attitude y */
-    out->jacobian[3] = attitude_arm_by_attitude_x_z;  /* value x, attitude z */
+    /* value x, attitude x */
+    out->jacobian[1] = (in->antenna_y * attitude_02) - (in->antenna_z * attitude_01);
+    /* value x, attitude y */
+    out->jacobian[2] = (in->antenna_z * attitude_00) - (in->antenna_x * attitude_02);
+    /* value x, attitude z */
+    out->jacobian[3] = (in->antenna_x * attitude_01) - (in->antenna_y * attitude_00);
     out->jacobian[4] = attitude_00;  /* value x, antenna x */
     out->jacobian[5] = attitude_01;  /* value x, antenna y */
     out->jacobian[6] = attitude_02;  /* value x, antenna z */
     out->jacobian[7] = 1.0;  /* value y, position y */
-    out->jacobian[8] = attitude_arm_by_attitude_y_x;  /* value y, attitude x */
-    out->jacobian[9] = attitude_arm_by_attitude_y_y;  /* value y, attitude y */
-    out->jacobian[10] = attitude_arm_by_attitude_y_z;  /* value y, attitude z */
+    /* value y, attitude x */
+    out->jacobian[8] = (in->antenna_y * attitude_12) - (in->antenna_z * attitude_11);
+    /* value y, attitude y */
+    out->jacobian[9] = (in->antenna_z * attitude_10) - (in->antenna_x * attitude_12);
+    /* value y, attitude z */
+    out->jacobian[10] = (in->antenna_x * attitude_11) - (in->antenna_y * attitude_10);
     out->jacobian[11] = attitude_10;  /* value y, antenna x */
     out->jacobian[12] = attitude_11;  /* value y, antenna y */
     out->jacobian[13] = attitude_12;  /* value y, antenna z */
     out->jacobian[14] = 1.0;  /* value z, position z */
-    out->jacobian[15] = attitude_arm_by_attitude_z_x;  /* value z, attitude x */
-    out->jacobian[16] = attitude_arm_by_attitude_z_y;  /* value z, attitude y */
-    out->jacobian[17] = attitude_arm_by_attitude_z_z;  /* value z, attitude z */
+    /* value z, attitude x */
+    out->jacobian[15] = (in->antenna_y * attitude_22) - (in->antenna_z * attitude_21);
+    /* value z, attitude y */
+    out->jacobian[16] = (in->antenna_z * attitude_20) - (in->antenna_x * attitude_22);
+    /* value z, attitude z */
+    out->jacobian[17] = (in->antenna_x * attitude_21) - (in->antenna_y * attitude_20);
     out->jacobian[18] = attitude_20;  /* value z, antenna x */
     out->jacobian[19] = attitude_21;  /* value z, antenna y */
     out->jacobian[20] = attitude_22;  /* value z, antenna z */

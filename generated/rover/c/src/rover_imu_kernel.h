@@ -206,12 +206,6 @@ ROVER_INLINE flag_t imu_kernel(const imu_input_t *in, imu_output_t *out)
     const rover_real_t force_z =
         (velocity_z + ((a2_y * sculling2_velocity_x) - (a2_x * sculling2_velocity_y)) + t111) *
         inverse_dt;
-    const rover_real_t resolved_x = (attitude_00 * force_x) + (attitude_01 * force_y) +
-        (attitude_02 * force_z);
-    const rover_real_t resolved_y = (attitude_10 * force_x) + (attitude_11 * force_y) +
-        (attitude_12 * force_z);
-    const rover_real_t resolved_z = (attitude_20 * force_x) + (attitude_21 * force_y) +
-        (attitude_22 * force_z);
     const rover_real_t force_by_gyro_bias_z_y = (0.3333333333333333 * v2_x) -
         (0.3333333333333333 * v1_x);
     const rover_real_t force_by_gyro_bias_x_z = (0.3333333333333333 * v2_y) -
@@ -227,92 +221,82 @@ ROVER_INLINE flag_t imu_kernel(const imu_input_t *in, imu_output_t *out)
     const rover_real_t force_by_gyro_bias_z_y_2 = force_by_gyro_bias_z_y + (0.5 * velocity_x);
     const rover_real_t force_by_gyro_bias_x_z_2 = force_by_gyro_bias_x_z + (0.5 * velocity_y);
     const rover_real_t force_by_gyro_bias_y_x_2 = force_by_gyro_bias_y_x + (0.5 * velocity_z);
-    const rover_real_t resolved_by_attitude_z_y = (attitude_20 * force_z) - (attitude_22 * force_x);
-    const rover_real_t resolved_by_attitude_x_z = (attitude_01 * force_x) - (attitude_00 * force_y);
-    const rover_real_t resolved_by_attitude_y_x = (attitude_12 * force_y) - (attitude_11 * force_z);
-    const rover_real_t resolved_by_attitude_x_x = (attitude_02 * force_y) - (attitude_01 * force_z);
-    const rover_real_t resolved_by_attitude_x_y = (attitude_00 * force_z) - (attitude_02 * force_x);
-    const rover_real_t resolved_by_attitude_y_y = (attitude_10 * force_z) - (attitude_12 * force_x);
-    const rover_real_t resolved_by_attitude_y_z = (attitude_11 * force_x) - (attitude_10 * force_y);
-    const rover_real_t resolved_by_attitude_z_x = (attitude_22 * force_y) - (attitude_21 * force_z);
-    const rover_real_t resolved_by_attitude_z_z = (attitude_21 * force_x) - (attitude_20 * force_y);
-    const rover_real_t resolved_by_gyro_bias_z_y = (attitude_22 * force_by_gyro_bias_z_y_2) -
-        (attitude_20 * force_by_gyro_bias_y_x_2);
-    const rover_real_t resolved_by_gyro_bias_x_z = (attitude_00 * force_by_gyro_bias_x_z_2) -
-        (attitude_01 * force_by_gyro_bias_z_y_2);
-    const rover_real_t resolved_by_gyro_bias_y_x = (attitude_11 * force_by_gyro_bias_y_x_2) -
-        (attitude_12 * force_by_gyro_bias_x_z_2);
-    const rover_real_t resolved_by_gyro_bias_x_x = (attitude_01 * force_by_gyro_bias_y_x_2) -
+
+    /* value x */
+    out->value[0] = (attitude_00 * force_x) + (attitude_01 * force_y) + (attitude_02 * force_z);
+    /* value y */
+    out->value[1] = (attitude_10 * force_x) + (attitude_11 * force_y) + (attitude_12 * force_z);
+    /* value z */
+    out->value[2] = (attitude_20 * force_x) + (attitude_21 * force_y) + (attitude_22 * force_z);
+
+    out->jacobian[0] = (attitude_02 * force_y) - (attitude_01 * force_z);  /* value x, attitude x */
+    out->jacobian[1] = (attitude_00 * force_z) - (attitude_02 * force_x);  /* value x, attitude y */
+    out->jacobian[2] = (attitude_01 * force_x) - (attitude_00 * force_y);  /* value x, attitude z */
+    /* value x, accelerometer_bias x */
+    out->jacobian[3] = (attitude_01 * force_by_accelerometer_bias_y_x_2) -
+        (attitude_02 * force_by_accelerometer_bias_x_z_2) - attitude_00;
+    /* value x, accelerometer_bias y */
+    out->jacobian[4] = (attitude_02 * force_by_accelerometer_bias_z_y_2) -
+        (attitude_00 * force_by_accelerometer_bias_y_x_2) - attitude_01;
+    /* value x, accelerometer_bias z */
+    out->jacobian[5] = (attitude_00 * force_by_accelerometer_bias_x_z_2) -
+        (attitude_01 * force_by_accelerometer_bias_z_y_2) - attitude_02;
+    /* value x, gyro_bias x */
+    out->jacobian[6] = (attitude_01 * force_by_gyro_bias_y_x_2) -
         (attitude_02 * force_by_gyro_bias_x_z_2);
-    const rover_real_t resolved_by_gyro_bias_x_y = (attitude_02 * force_by_gyro_bias_z_y_2) -
+    /* value x, gyro_bias y */
+    out->jacobian[7] = (attitude_02 * force_by_gyro_bias_z_y_2) -
         (attitude_00 * force_by_gyro_bias_y_x_2);
-    const rover_real_t resolved_by_gyro_bias_y_y = (attitude_12 * force_by_gyro_bias_z_y_2) -
+    /* value x, gyro_bias z */
+    out->jacobian[8] = (attitude_00 * force_by_gyro_bias_x_z_2) -
+        (attitude_01 * force_by_gyro_bias_z_y_2);
+    out->jacobian[9] = (attitude_12 * force_y) - (attitude_11 * force_z);  /* value y, attitude x */
+    /* value y, attitude y */
+    out->jacobian[10] = (attitude_10 * force_z) - (attitude_12 * force_x);
+    /* value y, attitude z */
+    out->jacobian[11] = (attitude_11 * force_x) - (attitude_10 * force_y);
+    /* value y, accelerometer_bias x */
+    out->jacobian[12] = (attitude_11 * force_by_accelerometer_bias_y_x_2) -
+        (attitude_12 * force_by_accelerometer_bias_x_z_2) - attitude_10;
+    /* value y, accelerometer_bias y */
+    out->jacobian[13] = (attitude_12 * force_by_accelerometer_bias_z_y_2) -
+        (attitude_10 * force_by_accelerometer_bias_y_x_2) - attitude_11;
+    /* value y, accelerometer_bias z */
+    out->jacobian[14] = (attitude_10 * force_by_accelerometer_bias_x_z_2) -
+        (attitude_11 * force_by_accelerometer_bias_z_y_2) - attitude_12;
+    /* value y, gyro_bias x */
+    out->jacobian[15] = (attitude_11 * force_by_gyro_bias_y_x_2) -
+        (attitude_12 * force_by_gyro_bias_x_z_2);
+    /* value y, gyro_bias y */
+    out->jacobian[16] = (attitude_12 * force_by_gyro_bias_z_y_2) -
         (attitude_10 * force_by_gyro_bias_y_x_2);
-    const rover_real_t resolved_by_gyro_bias_y_z = (attitude_10 * force_by_gyro_bias_x_z_2) -
+    /* value y, gyro_bias z */
+    out->jacobian[17] = (attitude_10 * force_by_gyro_bias_x_z_2) -
         (attitude_11 * force_by_gyro_bias_z_y_2);
-    const rover_real_t resolved_by_gyro_bias_z_x = (attitude_21 * force_by_gyro_bias_y_x_2) -
+    /* value z, attitude x */
+    out->jacobian[18] = (attitude_22 * force_y) - (attitude_21 * force_z);
+    /* value z, attitude y */
+    out->jacobian[19] = (attitude_20 * force_z) - (attitude_22 * force_x);
+    /* value z, attitude z */
+    out->jacobian[20] = (attitude_21 * force_x) - (attitude_20 * force_y);
+    /* value z, accelerometer_bias x */
+    out->jacobian[21] = (attitude_21 * force_by_accelerometer_bias_y_x_2) -
+        (attitude_22 * force_by_accelerometer_bias_x_z_2) - attitude_20;
+    /* value z, accelerometer_bias y */
+    out->jacobian[22] = (attitude_22 * force_by_accelerometer_bias_z_y_2) -
+        (attitude_20 * force_by_accelerometer_bias_y_x_2) - attitude_21;
+    /* value z, accelerometer_bias z */
+    out->jacobian[23] = (attitude_20 * force_by_accelerometer_bias_x_z_2) -
+        (attitude_21 * force_by_accelerometer_bias_z_y_2) - attitude_22;
+    /* value z, gyro_bias x */
+    out->jacobian[24] = (attitude_21 * force_by_gyro_bias_y_x_2) -
         (attitude_22 * force_by_gyro_bias_x_z_2);
-    const rover_real_t resolved_by_gyro_bias_z_z = (attitude_20 * force_by_gyro_bias_x_z_2) -
+    /* value z, gyro_bias y */
+    out->jacobian[25] = (attitude_22 * force_by_gyro_bias_z_y_2) -
+        (attitude_20 * force_by_gyro_bias_y_x_2);
+    /* value z, gyro_bias z */
+    out->jacobian[26] = (attitude_20 * force_by_gyro_bias_x_z_2) -
         (attitude_21 * force_by_gyro_bias_z_y_2);
-    const rover_real_t resolved_by_accelerometer_bias_z_y =
-        (attitude_22 * force_by_accelerometer_bias_z_y_2) - attitude_21 -
-        (attitude_20 * force_by_accelerometer_bias_y_x_2);
-    const rover_real_t resolved_by_accelerometer_bias_x_z =
-        (attitude_00 * force_by_accelerometer_bias_x_z_2) - attitude_02 -
-        (attitude_01 * force_by_accelerometer_bias_z_y_2);
-    const rover_real_t resolved_by_accelerometer_bias_y_x =
-        (attitude_11 * force_by_accelerometer_bias_y_x_2) - attitude_10 -
-        (attitude_12 * force_by_accelerometer_bias_x_z_2);
-    const rover_real_t resolved_by_accelerometer_bias_x_x =
-        (attitude_01 * force_by_accelerometer_bias_y_x_2) - attitude_00 -
-        (attitude_02 * force_by_accelerometer_bias_x_z_2);
-    const rover_real_t resolved_by_accelerometer_bias_x_y =
-        (attitude_02 * force_by_accelerometer_bias_z_y_2) - attitude_01 -
-        (attitude_00 * force_by_accelerometer_bias_y_x_2);
-    const rover_real_t resolved_by_accelerometer_bias_y_y =
-        (attitude_12 * force_by_accelerometer_bias_z_y_2) - attitude_11 -
-        (attitude_10 * force_by_accelerometer_bias_y_x_2);
-    const rover_real_t resolved_by_accelerometer_bias_y_z =
-        (attitude_10 * force_by_accelerometer_bias_x_z_2) - attitude_12 -
-        (attitude_11 * force_by_accelerometer_bias_z_y_2);
-    const rover_real_t resolved_by_accelerometer_bias_z_x =
-        (attitude_21 * force_by_accelerometer_bias_y_x_2) - attitude_20 -
-        (attitude_22 * force_by_accelerometer_bias_x_z_2);
-    const rover_real_t resolved_by_accelerometer_bias_z_z =
-        (attitude_20 * force_by_accelerometer_bias_x_z_2) - attitude_22 -
-        (attitude_21 * force_by_accelerometer_bias_z_y_2);
-
-    out->value[0] = resolved_x;  /* value x */
-    out->value[1] = resolved_y;  /* value y */
-    out->value[2] = resolved_z;  /* value z */
-
-    out->jacobian[0] = resolved_by_attitude_x_x;  /* value x, attitude x */
-    out->jacobian[1] = resolved_by_attitude_x_y;  /* value x, attitude y */
-    out->jacobian[2] = resolved_by_attitude_x_z;  /* value x, attitude z */
-    out->jacobian[3] = resolved_by_accelerometer_bias_x_x;  /* value x, accelerometer_bias x */
-    out->jacobian[4] = resolved_by_accelerometer_bias_x_y;  /* value x, accelerometer_bias y */
-    out->jacobian[5] = resolved_by_accelerometer_bias_x_z;  /* value x, accelerometer_bias z */
-    out->jacobian[6] = resolved_by_gyro_bias_x_x;  /* value x, gyro_bias x */
-    out->jacobian[7] = resolved_by_gyro_bias_x_y;  /* value x, gyro_bias y */
-    out->jacobian[8] = resolved_by_gyro_bias_x_z;  /* value x, gyro_bias z */
-    out->jacobian[9] = resolved_by_attitude_y_x;  /* value y, attitude x */
-    out->jacobian[10] = resolved_by_attitude_y_y;  /* value y, attitude y */
-    out->jacobian[11] = resolved_by_attitude_y_z;  /* value y, attitude z */
-    out->jacobian[12] = resolved_by_accelerometer_bias_y_x;  /* value y, accelerometer_bias x */
-    out->jacobian[13] = resolved_by_accelerometer_bias_y_y;  /* value y, accelerometer_bias y */
-    out->jacobian[14] = resolved_by_accelerometer_bias_y_z;  /* value y, accelerometer_bias z */
-    out->jacobian[15] = resolved_by_gyro_bias_y_x;  /* value y, gyro_bias x */
-    out->jacobian[16] = resolved_by_gyro_bias_y_y;  /* value y, gyro_bias y */
-    out->jacobian[17] = resolved_by_gyro_bias_y_z;  /* value y, gyro_bias z */
-    out->jacobian[18] = resolved_by_attitude_z_x;  /* value z, attitude x */
-    out->jacobian[19] = resolved_by_attitude_z_y;  /* value z, attitude y */
-    out->jacobian[20] = resolved_by_attitude_z_z;  /* value z, attitude z */
-    out->jacobian[21] = resolved_by_accelerometer_bias_z_x;  /* value z, accelerometer_bias x */
-    out->jacobian[22] = resolved_by_accelerometer_bias_z_y;  /* value z, accelerometer_bias y */
-    out->jacobian[23] = resolved_by_accelerometer_bias_z_z;  /* value z, accelerometer_bias z */
-    out->jacobian[24] = resolved_by_gyro_bias_z_x;  /* value z, gyro_bias x */
-    out->jacobian[25] = resolved_by_gyro_bias_z_y;  /* value z, gyro_bias y */
-    out->jacobian[26] = resolved_by_gyro_bias_z_z;  /* value z, gyro_bias z */
 
     return (flag_t)ROVER_OK;
 }

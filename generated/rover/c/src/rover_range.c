@@ -7,6 +7,8 @@
 
 #include "rover/rover.h"
 
+#include <string.h>
+
 #include "rover_range_kernel.h"
 
 /* Items evaluated side by side. */
@@ -438,8 +440,9 @@ rover_status_t rover_range_jacobian(
     return status;
 }
 
-/* Non-zeros straight into the caller's columns, neighbouring items in one vector register. */
-ROVER_INLINE void range_columns(
+/* Non-zeros straight into the caller's columns, neighbouring items in one vector register.
+   Returns zero where no item failed. */
+ROVER_INLINE flag_t range_columns(
     int32_t stride,
     const range_input_t *ROVER_RESTRICT in,
     const range_shared_t *ROVER_RESTRICT shared,
@@ -455,6 +458,8 @@ ROVER_INLINE void range_columns(
     rover_real_t jacobian_nz[ROVER_RESTRICT 11 * ROVER_RANGE_MAX_ITEMS],
     flag_t codes[ROVER_RESTRICT])
 {
+    flag_t failed = 0U;
+
     ROVER_IVDEP
     for (int32_t i = 0; i < count; ++i) {
         range_item_t item;
@@ -464,10 +469,12 @@ ROVER_INLINE void range_columns(
         const flag_t evaluated = range_item(in, shared, &item, &out);
 
         codes[i] = first_failure(loaded, evaluated);
+        failed |= codes[i];
         range_fill_value(out.value, &value[i]);
         range_fill_residual(out.residual, &residual[i]);
         range_put_jacobian(&out, stride, &jacobian_nz[i]);
     }
+    return failed;
 }
 
 /* The same with all that comes before and after; columns are a stride apart. */
@@ -496,18 +503,22 @@ ROVER_INLINE rover_status_t range_sparse(
         status = (rover_status_t)range_shared(&in, &shared);
         if (status == ROVER_OK) {
             flag_t codes[ROVER_RANGE_MAX_ITEMS];
+            const flag_t failed = range_columns(stride, &in, &shared, n, system, satellite_position,
+                satellite_clock, troposphere, ionosphere, measured, value, residual, jacobian_nz,
+                codes);
 
-            range_columns(stride, &in, &shared, n, system, satellite_position, satellite_clock,
-                troposphere, ionosphere, measured, value, residual, jacobian_nz, codes);
-            for (int32_t i = 0; i < n; ++i) {
-                item_status[i] = (uint8_t)codes[i];
-                if (codes[i] != (flag_t)ROVER_OK) {
-                    range_clear_value(&value[i]);
-                    range_clear_residual(&residual[i]);
-                    for (int32_t k = 0; k < 11; ++k) {
-                        jacobian_nz[(k * stride) + i] = 0.0;
+            (void)memset(item_status, (int)ROVER_OK, (size_t)n);
+            if (failed != 0U) {
+                for (int32_t i = 0; i < n; ++i) {
+                    item_status[i] = (uint8_t)codes[i];
+                    if (codes[i] != (flag_t)ROVER_OK) {
+                        range_clear_value(&value[i]);
+                        range_clear_residual(&residual[i]);
+                        for (int32_t k = 0; k < 11; ++k) {
+                            jacobian_nz[(k * stride) + i] = 0.0;
+                        }
+                        status = ROVER_PARTIAL;
                     }
-                    status = ROVER_PARTIAL;
                 }
             }
         }

@@ -263,8 +263,6 @@ ROVER_INLINE flag_t range_item(
     const range_item_t *item,
     range_output_t *out)
 {
-    const rover_real_t is_gps = is_equal((rover_real_t)item->system, 0.0) ? 1.0 : 0.0;
-    const rover_real_t is_galileo = is_equal((rover_real_t)item->system, 1.0) ? 1.0 : 0.0;
     const rover_real_t clock_bias =
         (is_equal((rover_real_t)item->system, 1.0) ? in->b_galileo : 0.0) +
         (is_equal((rover_real_t)item->system, 0.0) ? in->b_gps : 0.0);
@@ -311,15 +309,6 @@ ROVER_INLINE flag_t range_item(
         (shared->attitude_02 * value_by_antenna_nav_x) +
         (shared->attitude_12 * value_by_antenna_nav_y) +
         (shared->attitude_22 * value_by_antenna_nav_z);
-    const rover_real_t value_by_attitude_tangent_x =
-        (in->antenna_y * value_by_attitude_arm_inner_z) -
-        (in->antenna_z * value_by_attitude_arm_inner_y);
-    const rover_real_t value_by_attitude_tangent_y =
-        (in->antenna_z * value_by_attitude_arm_inner_x) -
-        (in->antenna_x * value_by_attitude_arm_inner_z);
-    const rover_real_t value_by_attitude_tangent_z =
-        (in->antenna_x * value_by_attitude_arm_inner_y) -
-        (in->antenna_y * value_by_attitude_arm_inner_x);
 
     out->value[0] = value_out;
 
@@ -328,14 +317,20 @@ ROVER_INLINE flag_t range_item(
     out->jacobian[0] = value_by_antenna_nav_x;  /* position x */
     out->jacobian[1] = value_by_antenna_nav_y;  /* position y */
     out->jacobian[2] = value_by_antenna_nav_z;  /* position z */
-    out->jacobian[3] = value_by_attitude_tangent_x;  /* attitude x */
-    out->jacobian[4] = value_by_attitude_tangent_y;  /* attitude y */
-    out->jacobian[5] = value_by_attitude_tangent_z;  /* attitude z */
+    /* attitude x */
+    out->jacobian[3] = (in->antenna_y * value_by_attitude_arm_inner_z) -
+        (in->antenna_z * value_by_attitude_arm_inner_y);
+    /* attitude y */
+    out->jacobian[4] = (in->antenna_z * value_by_attitude_arm_inner_x) -
+        (in->antenna_x * value_by_attitude_arm_inner_z);
+    /* attitude z */
+    out->jacobian[5] = (in->antenna_x * value_by_attitude_arm_inner_y) -
+        (in->antenna_y * value_by_attitude_arm_inner_x);
     out->jacobian[6] = value_by_attitude_arm_inner_x;  /* antenna x */
     out->jacobian[7] = value_by_attitude_arm_inner_y;  /* antenna y */
     out->jacobian[8] = value_by_attitude_arm_inner_z;  /* antenna z */
-    out->jacobian[9] = is_gps;  /* b_gps */
-    out->jacobian[10] = is_galileo;  /* b_galileo */
+    out->jacobian[9] = is_equal((rover_real_t)item->system, 0.0) ? 1.0 : 0.0;  /* b_gps */
+    out->jacobian[10] = is_equal((rover_real_t)item->system, 1.0) ? 1.0 : 0.0;  /* b_galileo */
 
     return range_squared_ok ? (flag_t)ROVER_OK : (flag_t)ROVER_DOMAIN;
 }

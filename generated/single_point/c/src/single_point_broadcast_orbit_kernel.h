@@ -208,18 +208,19 @@ SINGLE_POINT_INLINE flag_t broadcast_orbit_kernel(
         sqrt(1.0 / (semi_major_axis * semi_major_axis * semi_major_axis));
     const single_point_real_t mean_motion = computed_motion + in->mean_motion_difference;
     const single_point_real_t mean_anomaly_now = in->mean_anomaly + (mean_motion * since_toe);
-    const single_point_real_t t40 = in->eccentricity * sin(mean_anomaly_now);
-    const single_point_real_t anomaly_0 = mean_anomaly_now + t40;
+    const single_point_real_t anomaly_0 = mean_anomaly_now +
+        (in->eccentricity * sin(mean_anomaly_now));
     const single_point_real_t anomaly_1 = anomaly_0 -
-        ((t40 - (in->eccentricity * sin(anomaly_0))) / (1.0 - (in->eccentricity * cos(anomaly_0))));
+        ((anomaly_0 - (in->eccentricity * sin(anomaly_0)) - mean_anomaly_now) /
+        (1.0 - (in->eccentricity * cos(anomaly_0))));
     const single_point_real_t anomaly_2 = anomaly_1 -
-        ((anomaly_1 - mean_anomaly_now - (in->eccentricity * sin(anomaly_1))) /
+        ((anomaly_1 - (in->eccentricity * sin(anomaly_1)) - mean_anomaly_now) /
         (1.0 - (in->eccentricity * cos(anomaly_1))));
     const single_point_real_t anomaly_3 = anomaly_2 -
-        ((anomaly_2 - mean_anomaly_now - (in->eccentricity * sin(anomaly_2))) /
+        ((anomaly_2 - (in->eccentricity * sin(anomaly_2)) - mean_anomaly_now) /
         (1.0 - (in->eccentricity * cos(anomaly_2))));
     const single_point_real_t eccentric_anomaly = anomaly_3 -
-        ((anomaly_3 - mean_anomaly_now - (in->eccentricity * sin(anomaly_3))) /
+        ((anomaly_3 - (in->eccentricity * sin(anomaly_3)) - mean_anomaly_now) /
         (1.0 - (in->eccentricity * cos(anomaly_3))));
     const single_point_real_t cos_anomaly = cos(eccentric_anomaly);
     const single_point_real_t sin_anomaly = sin(eccentric_anomaly);
@@ -231,14 +232,14 @@ SINGLE_POINT_INLINE flag_t broadcast_orbit_kernel(
     const single_point_real_t doubled_argument = 2.0 * latitude_argument;
     const single_point_real_t cos_doubled = cos(doubled_argument);
     const single_point_real_t sin_doubled = sin(doubled_argument);
-    const single_point_real_t corrected_argument = latitude_argument + (cos_doubled * in->cuc) +
-        (in->cus * sin_doubled);
+    const single_point_real_t corrected_argument = (cos_doubled * in->cuc) +
+        (in->cus * sin_doubled) + latitude_argument;
     const single_point_real_t radius = (cos_doubled * in->crc) + (in->crs * sin_doubled) +
         (semi_major_axis * (1.0 - (cos_anomaly * in->eccentricity)));
     const single_point_real_t inclination_now = in->inclination + (in->cic * cos_doubled) +
         ((in->cis * sin_doubled) + (in->inclination_rate * since_toe));
     const single_point_real_t node_rate = in->right_ascension_rate - 7.2921151467e-05;
-    const single_point_real_t node = in->right_ascension + (node_rate * since_toe) -
+    const single_point_real_t node = (node_rate * since_toe) + in->right_ascension -
         (7.2921151467e-05 * in->toe);
     const single_point_real_t cos_argument = cos(corrected_argument);
     const single_point_real_t in_plane_x = cos_argument * radius;
@@ -255,16 +256,14 @@ SINGLE_POINT_INLINE flag_t broadcast_orbit_kernel(
     const single_point_real_t since_toc_weeks =
         floor(0.5 + (1.6534391534391535e-06 * since_toc_raw));
     const single_point_real_t since_toc = since_toc_raw - (604800.0 * since_toc_weeks);
-    const single_point_real_t t141 = in->af2 * since_toc;
-    const single_point_real_t clock_drift = in->af1 + t141;
+    const single_point_real_t t142 = in->af2 * since_toc;
+    const single_point_real_t clock_drift = in->af1 + t142;
     const single_point_real_t eccentric_root = in->eccentricity * in->sqrt_a;
-    const single_point_real_t t129 = (-4.442807633e-10) * eccentric_root;
-    const single_point_real_t relativity = t129 * sin_anomaly;
-    const single_point_real_t clock_2 = in->af0 + relativity +
-        ((clock_drift * since_toc) - in->group_delay);
+    const single_point_real_t t130 = (-4.442807633e-10) * eccentric_root;
+    const single_point_real_t relativity = t130 * sin_anomaly;
     /* shared reciprocal */
-    const single_point_real_t inverse_t156 = 1.0 / ((major * major) + (minor * minor));
-    const single_point_real_t true_anomaly_by_minor = major * inverse_t156;
+    const single_point_real_t inverse_t157 = 1.0 / ((major * major) + (minor * minor));
+    const single_point_real_t true_anomaly_by_minor = major * inverse_t157;
     const single_point_real_t true_anomaly_by_sin_anomaly = axis_ratio * true_anomaly_by_minor;
     const single_point_real_t true_anomaly_by_eccentric_anomaly = cos_anomaly *
         true_anomaly_by_sin_anomaly;
@@ -274,10 +273,10 @@ SINGLE_POINT_INLINE flag_t broadcast_orbit_kernel(
     const single_point_real_t position_x = value_by_node_y - (in_plane_level * sin_node);
     const single_point_real_t true_anomaly_by_time = eccentric_anomaly_by_time *
         true_anomaly_by_eccentric_anomaly;
-    const single_point_real_t t150 = eccentric_anomaly_by_time * sin_anomaly;
+    const single_point_real_t t151 = eccentric_anomaly_by_time * sin_anomaly;
     const single_point_real_t true_anomaly_by_time_2 = true_anomaly_by_time +
-        (t150 * (minor * inverse_t156));
-    const single_point_real_t radius_by_time = t150 * (in->eccentricity * semi_major_axis);
+        (t151 * (minor * inverse_t157));
+    const single_point_real_t radius_by_time = t151 * (in->eccentricity * semi_major_axis);
     const single_point_real_t sin_doubled_by_time = 2.0 * cos_doubled * true_anomaly_by_time_2;
     const single_point_real_t cos_doubled_by_time = (-2.0) * sin_doubled * true_anomaly_by_time_2;
     const single_point_real_t value_by_time_y = node_rate * position_x;
@@ -297,34 +296,27 @@ SINGLE_POINT_INLINE flag_t broadcast_orbit_kernel(
         (radius_by_time_3 * sin_argument);
     const single_point_real_t in_plane_x_by_time_2 = (cos_argument * radius_by_time_3) -
         (corrected_argument_by_time_2 * in_plane_y);
-    const single_point_real_t value_by_time_z_2 = value_by_time_z +
-        (in_plane_y_by_time_2 * sin_inclination);
     const single_point_real_t in_plane_level_by_time_2 = (cos_inclination * in_plane_y_by_time_2) -
         (inclination_now_by_time_2 * position_z);
     const single_point_real_t value_by_time_x_2 = (cos_node * in_plane_x_by_time_2) -
         (node_rate * position_y);
     const single_point_real_t value_by_time_y_2 = value_by_time_y +
         (in_plane_x_by_time_2 * sin_node);
-    const single_point_real_t value_by_time_x_3 = value_by_time_x_2 -
-        (in_plane_level_by_time_2 * sin_node);
-    const single_point_real_t value_by_time_y_3 = value_by_time_y_2 +
-        (cos_node * in_plane_level_by_time_2);
     const single_point_real_t sin_anomaly_clock_by_time = cos_anomaly * eccentric_anomaly_by_time;
-    const single_point_real_t clock_by_time = clock_drift + t141;
-    const single_point_real_t relativity_by_time = t129 * sin_anomaly_clock_by_time;
-    const single_point_real_t clock_by_time_2 = clock_by_time + relativity_by_time;
+    const single_point_real_t clock_by_time = clock_drift + t142;
+    const single_point_real_t relativity_by_time = t130 * sin_anomaly_clock_by_time;
 
     out->position[0] = position_x;  /* position x */
     out->position[1] = position_y;  /* position y */
     out->position[2] = position_z;  /* position z */
 
-    out->clock[0] = clock_2;
+    out->clock[0] = in->af0 + relativity + ((clock_drift * since_toc) - in->group_delay);
 
-    out->velocity[0] = value_by_time_x_3;  /* velocity x */
-    out->velocity[1] = value_by_time_y_3;  /* velocity y */
-    out->velocity[2] = value_by_time_z_2;  /* velocity z */
+    out->velocity[0] = value_by_time_x_2 - (in_plane_level_by_time_2 * sin_node);  /* velocity x */
+    out->velocity[1] = value_by_time_y_2 + (cos_node * in_plane_level_by_time_2);  /* velocity y */
+    out->velocity[2] = value_by_time_z + (in_plane_y_by_time_2 * sin_inclination);  /* velocity z */
 
-    out->clock_rate[0] = clock_by_time_2;
+    out->clock_rate[0] = clock_by_time + relativity_by_time;
 
     return (flag_t)SINGLE_POINT_OK;
 }

@@ -85,14 +85,6 @@ SINGLE_POINT_INLINE bool is_centred(
 #endif
 }
 
-/* True when two values are equal; false when either is NaN. */
-SINGLE_POINT_INLINE bool is_equal(
-    single_point_real_t first,
-    single_point_real_t second)
-{
-    return (first <= second) && (first >= second);
-}
-
 /* Copy a value into its range. Outside it, or for NaN, the lower end stands for it and 1 is
    returned. */
 SINGLE_POINT_INLINE flag_t take_value(
@@ -101,10 +93,10 @@ SINGLE_POINT_INLINE flag_t take_value(
     single_point_real_t upper,
     single_point_real_t *copy)
 {
-    const single_point_real_t taken = is_within(value, lower, upper) ? value : lower;
+    const bool within = is_within(value, lower, upper);
 
-    *copy = taken;
-    return is_equal(taken, value) ? (flag_t)0U : (flag_t)1U;
+    *copy = within ? value : lower;
+    return within ? (flag_t)0U : (flag_t)1U;
 }
 
 /* Copy a value into [-bound, bound]. Outside it, or for NaN, zero stands for it and 1 is
@@ -114,10 +106,10 @@ SINGLE_POINT_INLINE flag_t take_centred(
     single_point_real_t bound,
     single_point_real_t *copy)
 {
-    const single_point_real_t taken = is_centred(value, bound) ? value : 0.0;
+    const bool within = is_centred(value, bound);
 
-    *copy = taken;
-    return is_equal(taken, value) ? (flag_t)0U : (flag_t)1U;
+    *copy = within ? value : 0.0;
+    return within ? (flag_t)0U : (flag_t)1U;
 }
 
 /* Lay rows of epochs side by side: element k of epoch lane at [k * lanes + lane]. Two by two, so

@@ -7,6 +7,8 @@
 
 #include "single_point/single_point.h"
 
+#include <string.h>
+
 #include "single_point_pseudorange_kernel.h"
 
 /* Items evaluated side by side. */
@@ -373,8 +375,9 @@ single_point_status_t single_point_pseudorange_jacobian(
     return status;
 }
 
-/* Non-zeros straight into the caller's columns, neighbouring items in one vector register. */
-SINGLE_POINT_INLINE void pseudorange_columns(
+/* Non-zeros straight into the caller's columns, neighbouring items in one vector register.
+   Returns zero where no item failed. */
+SINGLE_POINT_INLINE flag_t pseudorange_columns(
     int32_t stride,
     const pseudorange_input_t *SINGLE_POINT_RESTRICT in,
     int32_t count,
@@ -386,6 +389,8 @@ SINGLE_POINT_INLINE void pseudorange_columns(
     single_point_real_t jacobian_nz[SINGLE_POINT_RESTRICT 4 * SINGLE_POINT_PSEUDORANGE_MAX_ITEMS],
     flag_t codes[SINGLE_POINT_RESTRICT])
 {
+    flag_t failed = 0U;
+
     SINGLE_POINT_IVDEP
     for (int32_t i = 0; i < count; ++i) {
         pseudorange_item_t item;
@@ -395,9 +400,11 @@ SINGLE_POINT_INLINE void pseudorange_columns(
         const flag_t evaluated = pseudorange_item(in, &item, &out);
 
         codes[i] = first_failure(loaded, evaluated);
+        failed |= codes[i];
         pseudorange_fill_value(out.value, &value[i]);
         pseudorange_put_jacobian(&out, stride, &jacobian_nz[i]);
     }
+    return failed;
 }
 
 /* The same with all that comes before and after; columns are a stride apart. */
@@ -427,12 +434,10 @@ SINGLE_POINT_INLINE single_point_status_t pseudorange_sparse(
         }
         if (status == SINGLE_POINT_OK) {
             flag_t codes[SINGLE_POINT_PSEUDORANGE_MAX_ITEMS];
+            (void)pseudorange_columns(stride, &in, n, satellite_position, satellite_clock,
+                troposphere, ionosphere, value, jacobian_nz, codes);
 
-            pseudorange_columns(stride, &in, n, satellite_position, satellite_clock, troposphere,
-                ionosphere, value, jacobian_nz, codes);
-            for (int32_t i = 0; i < n; ++i) {
-                item_status[i] = (uint8_t)codes[i];
-            }
+            (void)memset(item_status, (int)SINGLE_POINT_OK, (size_t)n);
         }
     }
     return status;

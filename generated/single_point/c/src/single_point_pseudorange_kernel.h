@@ -112,16 +112,12 @@ SINGLE_POINT_INLINE flag_t pseudorange_item(
     const single_point_real_t inverse_range = 1.0 / range;  /* shared reciprocal */
     const single_point_real_t range_direction_x = range_vector_x * inverse_range;
     const single_point_real_t range_direction_y = range_vector_y * inverse_range;
-    const single_point_real_t range_direction_z = range_vector_z * inverse_range;
-    const single_point_real_t value_out = u2 + (range + u9 + u20);
-    const single_point_real_t value_out_by_position_x = range_direction_x - turned_satellite_1;
-    const single_point_real_t value_out_by_position_y = range_direction_y + turned_satellite_0;
 
-    out->value[0] = value_out;
+    out->value[0] = u2 + (range + u9 + u20);
 
-    out->jacobian[0] = value_out_by_position_x;  /* position x */
-    out->jacobian[1] = value_out_by_position_y;  /* position y */
-    out->jacobian[2] = range_direction_z;  /* position z */
+    out->jacobian[0] = range_direction_x - turned_satellite_1;  /* position x */
+    out->jacobian[1] = range_direction_y + turned_satellite_0;  /* position y */
+    out->jacobian[2] = range_vector_z * inverse_range;  /* position z */
     out->jacobian[3] = 1.0;  /* clock_bias */
 
     return range_squared_ok ? (flag_t)SINGLE_POINT_OK : (flag_t)SINGLE_POINT_DOMAIN;

@@ -7,6 +7,8 @@
 
 #include "single_point/single_point.h"
 
+#include <string.h>
+
 #include "single_point_pseudorange_without_sagnac_kernel.h"
 
 /* Items evaluated side by side. */
@@ -392,8 +394,9 @@ single_point_status_t single_point_pseudorange_without_sagnac_jacobian(
     return status;
 }
 
-/* Non-zeros straight into the caller's columns, neighbouring items in one vector register. */
-SINGLE_POINT_INLINE void pseudorange_without_sagnac_columns(
+/* Non-zeros straight into the caller's columns, neighbouring items in one vector register.
+   Returns zero where no item failed. */
+SINGLE_POINT_INLINE flag_t pseudorange_without_sagnac_columns(
     int32_t stride,
     const pseudorange_without_sagnac_input_t *SINGLE_POINT_RESTRICT in,
     int32_t count,
@@ -407,6 +410,8 @@ SINGLE_POINT_INLINE void pseudorange_without_sagnac_columns(
         SINGLE_POINT_PSEUDORANGE_WITHOUT_SAGNAC_MAX_ITEMS],
     flag_t codes[SINGLE_POINT_RESTRICT])
 {
+    flag_t failed = 0U;
+
     SINGLE_POINT_IVDEP
     for (int32_t i = 0; i < count; ++i) {
         pseudorange_without_sagnac_item_t item;
@@ -416,9 +421,11 @@ SINGLE_POINT_INLINE void pseudorange_without_sagnac_columns(
         const flag_t evaluated = pseudorange_without_sagnac_item(in, &item, &out);
 
         codes[i] = first_failure(loaded, evaluated);
+        failed |= codes[i];
         pseudorange_without_sagnac_fill_value(out.value, &value[i]);
         pseudorange_without_sagnac_put_jacobian(&out, stride, &jacobian_nz[i]);
     }
+    return failed;
 }
 
 /* The same with all that comes before and after; columns are a stride apart. */
@@ -451,12 +458,10 @@ SINGLE_POINT_INLINE single_point_status_t pseudorange_without_sagnac_sparse(
         }
         if (status == SINGLE_POINT_OK) {
             flag_t codes[SINGLE_POINT_PSEUDORANGE_WITHOUT_SAGNAC_MAX_ITEMS];
+            (void)pseudorange_without_sagnac_columns(stride, &in, n, satellite_position,
+                satellite_clock, troposphere, ionosphere, value, jacobian_nz, codes);
 
-            pseudorange_without_sagnac_columns(stride, &in, n, satellite_position, satellite_clock,
-                troposphere, ionosphere, value, jacobian_nz, codes);
-            for (int32_t i = 0; i < n; ++i) {
-                item_status[i] = (uint8_t)codes[i];
-            }
+            (void)memset(item_status, (int)SINGLE_POINT_OK, (size_t)n);
         }
     }
     return status;

@@ -107,16 +107,12 @@ SINGLE_POINT_INLINE flag_t pseudorange_without_sagnac_item(
     const single_point_real_t range_squared = range_squared_ok ? range_squared_raw : 1.0;
     const single_point_real_t range = sqrt(range_squared);
     const single_point_real_t inverse_range = 1.0 / range;  /* shared reciprocal */
-    const single_point_real_t range_direction_x = range_vector_x * inverse_range;
-    const single_point_real_t range_direction_y = range_vector_y * inverse_range;
-    const single_point_real_t range_direction_z = range_vector_z * inverse_range;
-    const single_point_real_t value_out = u2 + (range + u9);
 
-    out->value[0] = value_out;
+    out->value[0] = u2 + (range + u9);
 
-    out->jacobian[0] = range_direction_x;  /* position x */
-    out->jacobian[1] = range_direction_y;  /* position y */
-    out->jacobian[2] = range_direction_z;  /* position z */
+    out->jacobian[0] = range_vector_x * inverse_range;  /* position x */
+    out->jacobian[1] = range_vector_y * inverse_range;  /* position y */
+    out->jacobian[2] = range_vector_z * inverse_range;  /* position z */
     out->jacobian[3] = 1.0;  /* clock_bias */
 
     return range_squared_ok ? (flag_t)SINGLE_POINT_OK : (flag_t)SINGLE_POINT_DOMAIN;

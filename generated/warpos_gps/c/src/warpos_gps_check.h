@@ -85,14 +85,6 @@ WARPOS_GPS_INLINE bool is_centred(
 #endif
 }
 
-/* True when two values are equal; false when either is NaN. */
-WARPOS_GPS_INLINE bool is_equal(
-    warpos_gps_real_t first,
-    warpos_gps_real_t second)
-{
-    return (first <= second) && (first >= second);
-}
-
 /* 1 when a value is not a number inside [-bound, bound], else 0. */
 WARPOS_GPS_INLINE flag_t is_beyond(
     warpos_gps_real_t value,
@@ -108,10 +100,10 @@ WARPOS_GPS_INLINE flag_t take_centred(
     warpos_gps_real_t bound,
     warpos_gps_real_t *copy)
 {
-    const warpos_gps_real_t taken = is_centred(value, bound) ? value : 0.0;
+    const bool within = is_centred(value, bound);
 
-    *copy = taken;
-    return is_equal(taken, value) ? (flag_t)0U : (flag_t)1U;
+    *copy = within ? value : 0.0;
+    return within ? (flag_t)0U : (flag_t)1U;
 }
 
 /* 1 when a quaternion is not of unit norm, else 0. */

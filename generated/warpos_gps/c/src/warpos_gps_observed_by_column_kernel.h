@@ -115,16 +115,16 @@ WARPOS_GPS_INLINE flag_t observed_by_column_kernel(
     const warpos_gps_real_t observer_attitude_21 = observer_attitude_twice_wx +
         observer_attitude_twice_yz;
     const warpos_gps_real_t observer_attitude_22 = t29 - observer_attitude_twice_yy;
-    const warpos_gps_real_t observed_x = (in->position_x * observer_attitude_00) +
-        (in->position_y * observer_attitude_10) + (in->position_z * observer_attitude_20);
-    const warpos_gps_real_t observed_y = (in->position_x * observer_attitude_01) +
-        (in->position_y * observer_attitude_11) + (in->position_z * observer_attitude_21);
-    const warpos_gps_real_t observed_z = (in->position_x * observer_attitude_02) +
-        (in->position_y * observer_attitude_12) + (in->position_z * observer_attitude_22);
 
-    out->value[0] = observed_x;  /* value x */
-    out->value[1] = observed_y;  /* value y */
-    out->value[2] = observed_z;  /* value z */
+    /* value x */
+    out->value[0] = (in->position_x * observer_attitude_00) +
+        (in->position_y * observer_attitude_10) + (in->position_z * observer_attitude_20);
+    /* value y */
+    out->value[1] = (in->position_x * observer_attitude_01) +
+        (in->position_y * observer_attitude_11) + (in->position_z * observer_attitude_21);
+    /* value z */
+    out->value[2] = (in->position_x * observer_attitude_02) +
+        (in->position_y * observer_attitude_12) + (in->position_z * observer_attitude_22);
 
     out->jacobian[0] = observer_attitude_00;  /* value x, position x */
     out->jacobian[1] = observer_attitude_10;  /* value x, position y */

@@ -227,9 +227,6 @@ WARPOS_GPS_INLINE flag_t to_state_frame_kernel(
         (attitude_11 * in->lever_arm_y) + (attitude_12 * in->lever_arm_z);
     const warpos_gps_real_t attitude_arm_z = (attitude_20 * in->lever_arm_x) +
         (attitude_21 * in->lever_arm_y) + (attitude_22 * in->lever_arm_z);
-    const warpos_gps_real_t value_out_x = fix_x - attitude_arm_x - in->origin_offset_x;
-    const warpos_gps_real_t value_out_y = fix_y - attitude_arm_y - in->origin_offset_y;
-    const warpos_gps_real_t value_out_z = fix_z - attitude_arm_z - in->origin_offset_z;
     const warpos_gps_real_t value_covariance_half_0 = (in->covariance_2_0 * observer_attitude_00) +
         (in->covariance_2_3 * observer_attitude_01) + (in->covariance_2_6 * observer_attitude_02);
     const warpos_gps_real_t value_covariance_half_1 = (in->covariance_2_1 * observer_attitude_00) +
@@ -248,56 +245,47 @@ WARPOS_GPS_INLINE flag_t to_state_frame_kernel(
         (in->covariance_2_4 * observer_attitude_21) + (in->covariance_2_7 * observer_attitude_22);
     const warpos_gps_real_t value_covariance_half_8 = (in->covariance_2_2 * observer_attitude_20) +
         (in->covariance_2_5 * observer_attitude_21) + (in->covariance_2_8 * observer_attitude_22);
-    const warpos_gps_real_t value_covariance_out_0 =
-        (observer_attitude_00 * value_covariance_half_0) +
+
+    out->value[0] = fix_x - attitude_arm_x - in->origin_offset_x;  /* value x */
+    out->value[1] = fix_y - attitude_arm_y - in->origin_offset_y;  /* value y */
+    out->value[2] = fix_z - attitude_arm_z - in->origin_offset_z;  /* value z */
+
+    /* value_covariance 0 */
+    out->value_covariance[0] = (observer_attitude_00 * value_covariance_half_0) +
         (observer_attitude_01 * value_covariance_half_1) +
         (observer_attitude_02 * value_covariance_half_2);
-    const warpos_gps_real_t value_covariance_out_1 =
-        (observer_attitude_10 * value_covariance_half_0) +
+    /* value_covariance 1 */
+    out->value_covariance[1] = (observer_attitude_10 * value_covariance_half_0) +
         (observer_attitude_11 * value_covariance_half_1) +
         (observer_attitude_12 * value_covariance_half_2);
-    const warpos_gps_real_t value_covariance_out_2 =
-        (observer_attitude_20 * value_covariance_half_0) +
+    /* value_covariance 2 */
+    out->value_covariance[2] = (observer_attitude_20 * value_covariance_half_0) +
         (observer_attitude_21 * value_covariance_half_1) +
         (observer_attitude_22 * value_covariance_half_2);
-    const warpos_gps_real_t value_covariance_out_3 =
-        (observer_attitude_00 * value_covariance_half_3) +
+    /* value_covariance 3 */
+    out->value_covariance[3] = (observer_attitude_00 * value_covariance_half_3) +
         (observer_attitude_01 * value_covariance_half_4) +
         (observer_attitude_02 * value_covariance_half_5);
-    const warpos_gps_real_t value_covariance_out_4 =
-        (observer_attitude_10 * value_covariance_half_3) +
+    /* value_covariance 4 */
+    out->value_covariance[4] = (observer_attitude_10 * value_covariance_half_3) +
         (observer_attitude_11 * value_covariance_half_4) +
         (observer_attitude_12 * value_covariance_half_5);
-    const warpos_gps_real_t value_covariance_out_5 =
-        (observer_attitude_20 * value_covariance_half_3) +
+    /* value_covariance 5 */
+    out->value_covariance[5] = (observer_attitude_20 * value_covariance_half_3) +
         (observer_attitude_21 * value_covariance_half_4) +
         (observer_attitude_22 * value_covariance_half_5);
-    const warpos_gps_real_t value_covariance_out_6 =
-        (observer_attitude_00 * value_covariance_half_6) +
+    /* value_covariance 6 */
+    out->value_covariance[6] = (observer_attitude_00 * value_covariance_half_6) +
         (observer_attitude_01 * value_covariance_half_7) +
         (observer_attitude_02 * value_covariance_half_8);
-    const warpos_gps_real_t value_covariance_out_7 =
-        (observer_attitude_10 * value_covariance_half_6) +
+    /* value_covariance 7 */
+    out->value_covariance[7] = (observer_attitude_10 * value_covariance_half_6) +
         (observer_attitude_11 * value_covariance_half_7) +
         (observer_attitude_12 * value_covariance_half_8);
-    const warpos_gps_real_t value_covariance_out_8 =
-        (observer_attitude_20 * value_covariance_half_6) +
+    /* value_covariance 8 */
+    out->value_covariance[8] = (observer_attitude_20 * value_covariance_half_6) +
         (observer_attitude_21 * value_covariance_half_7) +
         (observer_attitude_22 * value_covariance_half_8);
-
-    out->value[0] = value_out_x;  /* value x */
-    out->value[1] = value_out_y;  /* value y */
-    out->value[2] = value_out_z;  /* value z */
-
-    out->value_covariance[0] = value_covariance_out_0;  /* value_covariance 0 */
-    out->value_covariance[1] = value_covariance_out_1;  /* value_covariance 1 */
-    out->value_covariance[2] = value_covariance_out_2;  /* value_covariance 2 */
-    out->value_covariance[3] = value_covariance_out_3;  /* value_covariance 3 */
-    out->value_covariance[4] = value_covariance_out_4;  /* value_covariance 4 */
-    out->value_covariance[5] = value_covariance_out_5;  /* value_covariance 5 */
-    out->value_covariance[6] = value_covariance_out_6;  /* value_covariance 6 */
-    out->value_covariance[7] = value_covariance_out_7;  /* value_covariance 7 */
-    out->value_covariance[8] = value_covariance_out_8;  /* value_covariance 8 */
 
     return (flag_t)WARPOS_GPS_OK;
 }
