@@ -11,58 +11,22 @@ all the copies first keeps more of them than a processor has registers.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
 from symnav import ir
 from symnav.emit.c import comments
+from symnav.emit.c.elements import Element, elements_of
 from symnav.emit.c.literals import integer_bounds
-from symnav.emit.c.names import Names, identifier
+from symnav.emit.c.names import Names
 from symnav.emit.c.pieces import Field, Routine, Struct, head
-from symnav.emit.c.slots import Span, reach, spans_of
+from symnav.emit.c.slots import Span
 from symnav.emit.c.target import Target
 from symnav.emit.c.walk import Holder, loads_of
 
 INPUT_POINTER = "in"
 ITEM_POINTER = "item"
-
-# Locals and parameters of the storing functions, which also carry names of elements.
-_LOCALS = ("stride", "dense", "nonzeros", "reference", "k")
-
-
-@dataclass(frozen=True, slots=True)
-class Element:
-    """One element of an argument, with its domain and the field that holds its copy.
-
-    Where a slot chooses among neighbours, the field is an array and ``span`` says of which.
-    """
-
-    argument: ir.Argument
-    domain: ir.Domain
-    index: int
-    field: str
-    span: Span | None = None
-
-    @property
-    def load(self) -> ir.Load:
-        """What refers to it."""
-        return ir.Load(self.argument.name, self.index)
-
-    @property
-    def lower(self) -> float:
-        """Lower end of its range."""
-        return self.domain.lower[self.index - self.domain.start]
-
-    @property
-    def upper(self) -> float:
-        """Upper end of its range."""
-        return self.domain.upper[self.index - self.domain.start]
-
-    @property
-    def label(self) -> str:
-        """Its label inside the domain."""
-        return self.domain.labels[self.index - self.domain.start]
 
 
 @dataclass(frozen=True)
@@ -382,23 +346,7 @@ def inputs_of(function: ir.Function, target: Target, loads: Collection[ir.Load])
         target: the tree.
         loads: every load of its bodies and outputs.
     """
-    spans = spans_of(function, loads)
-    chosen = {load: _span_of(function, load, spans) for load in loads if _is_moving(load)}
-    names = Names(_LOCALS)
-    fields: dict[Span, str] = {}
-    table: dict[ir.Load, Element] = {}
-    for argument in function.arguments:
-        for domain in argument.domains:
-            for offset in range(domain.size):
-                index = domain.start + offset
-                span = _span_around(spans, argument, index)
-                if span is None:
-                    field = names.claim(_wish(argument, domain, offset))
-                else:
-                    field = fields.get(span) or names.claim(f"{_stem(argument, domain)}_by_slot")
-                    fields[span] = field
-                element = Element(argument, domain, index, field, span)
-                table[element.load] = element
+    table, chosen = elements_of(function, loads)
     copied = {load for load in loads if load in table} | _normed(function)
     copied |= {load for load, element in table.items() if element.span}
     whole = function.maximum is not None or not any(a.integer for a in function.arguments)
@@ -415,22 +363,6 @@ def _may_stay(element: Element) -> bool:
     return not (element.argument.item or element.argument.integer or element.span)
 
 
-def _is_moving(load: ir.Load) -> bool:
-    return isinstance(load.index, ir.Offset)
-
-
-def _span_of(function: ir.Function, load: ir.Load, spans: Iterable[Span]) -> Span:
-    """The array a load chooses from."""
-    assert isinstance(load.index, ir.Offset)
-    first, _ = reach(function, load.index)
-    return next(s for s in spans if s.argument == load.argument and s.start <= first < s.stop)
-
-
-def _span_around(spans: Iterable[Span], argument: ir.Argument, index: int) -> Span | None:
-    around = (s for s in spans if s.argument == argument.name and s.start <= index < s.stop)
-    return next(around, None)
-
-
 def _normed(function: ir.Function) -> set[ir.Load]:
     """Elements whose norm is checked; their copies are what the check reads."""
     return {
@@ -440,18 +372,6 @@ def _normed(function: ir.Function) -> set[ir.Load]:
         if function.guarded and domain.kind in (ir.Kind.QUATERNION, ir.Kind.MATRIX)
         for index in range(domain.start, domain.start + domain.size)
     }
-
-
-def _wish(argument: ir.Argument, domain: ir.Domain, offset: int) -> str:
-    stem = _stem(argument, domain)
-    if domain.size == 1:
-        return identifier(stem)
-    label = domain.labels[offset]
-    return identifier(f"{stem}_{label if label.strip() else offset}")
-
-
-def _stem(argument: ir.Argument, domain: ir.Domain) -> str:
-    return domain.name if argument.name == "x" or len(argument.domains) > 1 else argument.name
 
 
 def _comment(domain: ir.Domain) -> str:
