@@ -22,7 +22,7 @@ from symnav.emit.templates import render
 _HELPERS: Mapping[str, tuple[str, ...]] = {
     "first_failure": (),
     "is_within": (),
-    "is_centred": ("is_within",),
+    "is_centred": (),
     "is_equal": (),
     "is_outside": ("is_within",),
     "is_beyond": ("is_centred",),

@@ -491,22 +491,22 @@ FARRELL_TIGHTLY_COUPLED_WIDE farrell_tightly_coupled_status_t
             status = (farrell_tightly_coupled_status_t)pseudorange_load(x, c_n_e, origin, &in);
             if (status == FARRELL_TIGHTLY_COUPLED_OK) {
                 status = (farrell_tightly_coupled_status_t)pseudorange_shared(&in, &shared);
-                if (status == FARRELL_TIGHTLY_COUPLED_OK) {
-                    flag_t codes[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS];
+            }
+            if (status == FARRELL_TIGHTLY_COUPLED_OK) {
+                flag_t codes[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS];
 
-                    pseudorange_columns(&in, &shared, n, satellite_position, measured, value,
-                        residual, jacobian_nz, codes);
-                    for (int32_t i = 0; i < n; ++i) {
-                        item_status[i] = (uint8_t)codes[i];
-                        if (codes[i] != (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
-                            pseudorange_clear_value(&value[i]);
-                            pseudorange_clear_residual(&residual[i]);
-                            for (int32_t k = 0; k < 4; ++k) {
-                                jacobian_nz[(k * FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS) +
-                                    i] = 0.0;
-                            }
-                            status = FARRELL_TIGHTLY_COUPLED_PARTIAL;
+                pseudorange_columns(&in, &shared, n, satellite_position, measured, value, residual,
+                    jacobian_nz, codes);
+                for (int32_t i = 0; i < n; ++i) {
+                    item_status[i] = (uint8_t)codes[i];
+                    if (codes[i] != (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+                        pseudorange_clear_value(&value[i]);
+                        pseudorange_clear_residual(&residual[i]);
+                        for (int32_t k = 0; k < 4; ++k) {
+                            jacobian_nz[(k * FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS) + i] =
+                                0.0;
                         }
+                        status = FARRELL_TIGHTLY_COUPLED_PARTIAL;
                     }
                 }
             }

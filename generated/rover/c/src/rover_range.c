@@ -499,21 +499,21 @@ ROVER_WIDE rover_status_t rover_range_nz(
             status = (rover_status_t)range_load(x, nav_to_ecef, origin, &in);
             if (status == ROVER_OK) {
                 status = (rover_status_t)range_shared(&in, &shared);
-                if (status == ROVER_OK) {
-                    flag_t codes[ROVER_RANGE_MAX_ITEMS];
+            }
+            if (status == ROVER_OK) {
+                flag_t codes[ROVER_RANGE_MAX_ITEMS];
 
-                    range_columns(&in, &shared, n, system, satellite_position, satellite_clock,
-                        troposphere, ionosphere, measured, value, residual, jacobian_nz, codes);
-                    for (int32_t i = 0; i < n; ++i) {
-                        item_status[i] = (uint8_t)codes[i];
-                        if (codes[i] != (flag_t)ROVER_OK) {
-                            range_clear_value(&value[i]);
-                            range_clear_residual(&residual[i]);
-                            for (int32_t k = 0; k < 11; ++k) {
-                                jacobian_nz[(k * ROVER_RANGE_MAX_ITEMS) + i] = 0.0;
-                            }
-                            status = ROVER_PARTIAL;
+                range_columns(&in, &shared, n, system, satellite_position, satellite_clock,
+                    troposphere, ionosphere, measured, value, residual, jacobian_nz, codes);
+                for (int32_t i = 0; i < n; ++i) {
+                    item_status[i] = (uint8_t)codes[i];
+                    if (codes[i] != (flag_t)ROVER_OK) {
+                        range_clear_value(&value[i]);
+                        range_clear_residual(&residual[i]);
+                        for (int32_t k = 0; k < 11; ++k) {
+                            jacobian_nz[(k * ROVER_RANGE_MAX_ITEMS) + i] = 0.0;
                         }
+                        status = ROVER_PARTIAL;
                     }
                 }
             }
