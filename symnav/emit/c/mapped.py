@@ -123,6 +123,7 @@ class Mapped:
             ],
             "load": call(f"{kernel.local}_load", [*shared_arguments, *given]),
             "evaluate": call(f"{kernel.local}_shared", [*read, *made]),
+            "fallible": kernel.shared_fails,
         }
 
     def context(self, *, address: bool) -> list[str]:
@@ -366,6 +367,7 @@ class Mapped:
         ]
         codes = [f"flag_t codes[{kernel.target.macro}_RESTRICT]"] if self.fallible else []
         name = f"{kernel.local}_columns"
+        depth = 5 if kernel.shared_fails or self.rejects else 4
         passed = [
             *self.context(address=True),
             "n",
@@ -381,9 +383,10 @@ class Mapped:
             ),
             **self._evaluation("i"),
             "stores": self.statements((self._column_store(s, limit) for s in stores), 2),
-            "call": comments.code(call(name, passed) + ";", depth=4),
-            "common": self.statements(self._common_columns(), 4),
-            "clears": [line for s in stores for line in self._column_clear(s, limit)],
+            "pad": "    " * depth,
+            "call": comments.code(call(name, passed) + ";", depth=depth),
+            "common": self.statements(self._common_columns(), depth),
+            "clears": [t for s in stores for t in self._column_clear(s, limit, depth + 2)],
         }
 
     def _column_store(self, store: Store, limit: str) -> str:
@@ -396,11 +399,11 @@ class Mapped:
         arguments += [self.kernel.inputs.place(slot, pointers=False) for slot in store.slots]
         return call(store.fill, [*arguments, self.row(store, "i")]) + ";"
 
-    def _column_clear(self, store: Store, limit: str) -> list[str]:
+    def _column_clear(self, store: Store, limit: str, depth: int) -> list[str]:
         if not is_jacobian(store.output):
-            return self.statements([call(store.clear, [self.row(store, "i")]) + ";"], 6)
+            return self.statements([call(store.clear, [self.row(store, "i")]) + ";"], depth)
         zero = self.kernel.target.literal(0.0)
-        indent = "    " * 6
+        indent = "    " * depth
         return [
             f"{indent}for (int32_t k = 0; k < {store.count}; ++k) {{",
             f"{indent}    {store.output.name}_nz[(k * {limit}) + i] = {zero};",

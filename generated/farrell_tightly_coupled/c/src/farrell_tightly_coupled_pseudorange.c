@@ -490,11 +490,9 @@ FARRELL_TIGHTLY_COUPLED_WIDE farrell_tightly_coupled_status_t
 
             status = (farrell_tightly_coupled_status_t)pseudorange_load(x, c_n_e, origin, &in);
             if (status == FARRELL_TIGHTLY_COUPLED_OK) {
-                status = (farrell_tightly_coupled_status_t)pseudorange_shared(&in, &shared);
-            }
-            if (status == FARRELL_TIGHTLY_COUPLED_OK) {
                 flag_t codes[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS];
 
+                (void)pseudorange_shared(&in, &shared);
                 pseudorange_columns(&in, &shared, n, satellite_position, measured, value, residual,
                     jacobian_nz, codes);
                 for (int32_t i = 0; i < n; ++i) {

@@ -451,12 +451,9 @@ FARRELL_TIGHTLY_COUPLED_WIDE farrell_tightly_coupled_status_t
             status = (farrell_tightly_coupled_status_t)pseudorange_lever_arm_load(x, c_n_e, origin,
                 lever_arm, &in);
             if (status == FARRELL_TIGHTLY_COUPLED_OK) {
-                status =
-                    (farrell_tightly_coupled_status_t)pseudorange_lever_arm_shared(&in, &shared);
-            }
-            if (status == FARRELL_TIGHTLY_COUPLED_OK) {
                 flag_t codes[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS];
 
+                (void)pseudorange_lever_arm_shared(&in, &shared);
                 pseudorange_lever_arm_columns(&in, &shared, n, satellite_position, value,
                     jacobian_nz, codes);
                 for (int32_t i = 0; i < n; ++i) {

@@ -498,11 +498,9 @@ ROVER_WIDE rover_status_t rover_range_nz(
 
             status = (rover_status_t)range_load(x, nav_to_ecef, origin, &in);
             if (status == ROVER_OK) {
-                status = (rover_status_t)range_shared(&in, &shared);
-            }
-            if (status == ROVER_OK) {
                 flag_t codes[ROVER_RANGE_MAX_ITEMS];
 
+                (void)range_shared(&in, &shared);
                 range_columns(&in, &shared, n, system, satellite_position, satellite_clock,
                     troposphere, ionosphere, measured, value, residual, jacobian_nz, codes);
                 for (int32_t i = 0; i < n; ++i) {

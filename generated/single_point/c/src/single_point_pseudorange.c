@@ -424,19 +424,17 @@ SINGLE_POINT_WIDE single_point_status_t single_point_pseudorange_nz(
 
             status = (single_point_status_t)pseudorange_load(x, &in);
             if (status == SINGLE_POINT_OK) {
-                status = (single_point_status_t)pseudorange_shared();
-            }
-            if (status == SINGLE_POINT_OK) {
+                (void)pseudorange_shared();
                 status = pseudorange_check_items(&in, n, satellite_position, satellite_clock,
                     troposphere, ionosphere, item_status);
-            }
-            if (status == SINGLE_POINT_OK) {
-                flag_t codes[SINGLE_POINT_PSEUDORANGE_MAX_ITEMS];
+                if (status == SINGLE_POINT_OK) {
+                    flag_t codes[SINGLE_POINT_PSEUDORANGE_MAX_ITEMS];
 
-                pseudorange_columns(&in, n, satellite_position, satellite_clock, troposphere,
-                    ionosphere, value, jacobian_nz, codes);
-                for (int32_t i = 0; i < n; ++i) {
-                    item_status[i] = (uint8_t)codes[i];
+                    pseudorange_columns(&in, n, satellite_position, satellite_clock, troposphere,
+                        ionosphere, value, jacobian_nz, codes);
+                    for (int32_t i = 0; i < n; ++i) {
+                        item_status[i] = (uint8_t)codes[i];
+                    }
                 }
             }
         }

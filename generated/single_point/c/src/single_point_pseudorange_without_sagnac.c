@@ -449,19 +449,17 @@ SINGLE_POINT_WIDE single_point_status_t single_point_pseudorange_without_sagnac_
 
             status = (single_point_status_t)pseudorange_without_sagnac_load(x, &in);
             if (status == SINGLE_POINT_OK) {
-                status = (single_point_status_t)pseudorange_without_sagnac_shared();
-            }
-            if (status == SINGLE_POINT_OK) {
+                (void)pseudorange_without_sagnac_shared();
                 status = pseudorange_without_sagnac_check_items(&in, n, satellite_position,
                     satellite_clock, troposphere, ionosphere, item_status);
-            }
-            if (status == SINGLE_POINT_OK) {
-                flag_t codes[SINGLE_POINT_PSEUDORANGE_WITHOUT_SAGNAC_MAX_ITEMS];
+                if (status == SINGLE_POINT_OK) {
+                    flag_t codes[SINGLE_POINT_PSEUDORANGE_WITHOUT_SAGNAC_MAX_ITEMS];
 
-                pseudorange_without_sagnac_columns(&in, n, satellite_position, satellite_clock,
-                    troposphere, ionosphere, value, jacobian_nz, codes);
-                for (int32_t i = 0; i < n; ++i) {
-                    item_status[i] = (uint8_t)codes[i];
+                    pseudorange_without_sagnac_columns(&in, n, satellite_position, satellite_clock,
+                        troposphere, ionosphere, value, jacobian_nz, codes);
+                    for (int32_t i = 0; i < n; ++i) {
+                        item_status[i] = (uint8_t)codes[i];
+                    }
                 }
             }
         }
