@@ -97,7 +97,7 @@ def _tree_files(bundle: Bundle, tree: Tree) -> dict[str, str]:
     }
     return {
         f"test/{tree.prefix}_{part}.h": render(f"export/test/{part}.h.j2", **common)
-        for part in ("golden", "cases", "harness")
+        for part in ("harness", "expect", "checks", "golden", "cases")
     }
 
 
