@@ -251,7 +251,7 @@ def is_rotation(m: list[Real], tolerance: Real) -> Condition:
     first, second, third = m[0::3], m[1::3], m[2::3]
 
     def dot(a: list[Real], b: list[Real]) -> Real:
-        return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]
+        return np.asarray((a[0] * b[0] + a[1] * b[1]) + a[2] * b[2])
 
     errors = [dot(first, first) - one, dot(second, second) - one, dot(first, second)]
     for k in range(3):

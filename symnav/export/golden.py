@@ -20,15 +20,14 @@ from numpy.typing import NDArray
 from symnav import ir
 from symnav.derive import Derivation
 from symnav.errors import ProofError
-from symnav.export import rounded, singular, walk
+from symnav.export import rounded, singular
+from symnav.export.branches import beside_turns, decided, decisions, expressions
 from symnav.export.evaluation import (
-    Ieee,
     Outcome,
     Rows,
     bounds,
     evaluate,
     kind_of,
-    loader,
     positions,
 )
 from symnav.export.slack import slack
@@ -97,10 +96,18 @@ def golden(spec: Spec, derivation: Derivation, function: ir.Function, scalar: ir
             f"{function.name}: no sample inside the declared ranges can be evaluated in "
             f"{scalar.value}; change the ranges or the equation"
         )
-    taken = _branches(function, scalar, outcome)
+    taken = decisions(function, scalar, outcome)
     chosen = _chosen(drawn, good, items, taken)
     flat = (chosen[:, None] * items + np.arange(items)).ravel()
-    picked = {name: array[flat] for name, array in rows.items()}
+    beside = [
+        sample
+        for sample in beside_turns(function, scalar, rows, items, good, taken)
+        if evaluate(function, scalar, sample).ok.all()
+    ]
+    picked = {
+        name: np.concatenate([array[flat], *(sample[name] for sample in beside)])
+        for name, array in rows.items()
+    }
     _judge(spec, derivation, function, scalar, picked)
     failing = singular.failing(function, scalar, rows, items, outcome)
     everything = {
@@ -117,7 +124,7 @@ def _recorded(function: ir.Function, scalar: ir.Scalar, items: int, rows: Rows) 
         argument.name: rows[argument.name] if argument.item else rows[argument.name][::items]
         for argument in function.arguments
     }
-    called = {operation for step in _expressions(function) for operation in _operations(step)}
+    called = {operation for step in expressions(function) for operation in _operations(step)}
     allowed = slack(function, scalar, outcome) if called & rounded.LIBRARY else None
     return Golden(function, scalar, items, inputs, status, outcome.outputs, allowed)
 
@@ -157,56 +164,6 @@ def _refuse_infinite(function: ir.Function, outcome: Outcome) -> None:
         )
 
 
-def _branches(
-    function: ir.Function, scalar: ir.Scalar, outcome: Outcome
-) -> list[NDArray[np.int64]]:
-    """For every selection what each row decided, as bits of its comparisons; -1 where unreached."""
-    loads = loader(function, outcome.copies, kind_of(scalar))
-    blank = Ieee(scalar, function.guarded, np.zeros_like(outcome.status))
-    found: list[NDArray[np.int64]] = []
-
-    def decide(condition: ir.Expression) -> NDArray[np.bool_]:
-        value = walk.evaluate(condition, loads, outcome.values, blank)
-        return np.broadcast_to(value, outcome.status.shape).astype(np.bool_)
-
-    def visit(expression: ir.Expression, reached: NDArray[np.bool_]) -> None:
-        if not isinstance(expression, ir.Call):
-            return
-        if expression.operation is not ir.Operation.SELECT:
-            for operand in expression.operands:
-                visit(operand, reached)
-            return
-        condition, chosen, otherwise = expression.operands
-        code = np.zeros(outcome.status.shape, dtype=np.int64)
-        for bit, leaf in enumerate(_leaves(condition)):
-            code |= decide(leaf).astype(np.int64) << bit
-        found.append(np.where(reached, code, -1))
-        holds = decide(condition)
-        visit(chosen, reached & holds)
-        visit(otherwise, reached & ~holds)
-
-    everywhere = np.ones(outcome.status.shape, dtype=np.bool_)
-    for expression in _expressions(function):
-        visit(expression, everywhere)
-    return found
-
-
-def _leaves(condition: ir.Expression) -> Iterator[ir.Expression]:
-    joining = (ir.Operation.AND, ir.Operation.OR, ir.Operation.NOT)
-    if isinstance(condition, ir.Call) and condition.operation in joining:
-        for operand in condition.operands:
-            yield from _leaves(operand)
-    else:
-        yield condition
-
-
-def _expressions(function: ir.Function) -> Iterator[ir.Expression]:
-    for step in (*function.shared, *function.item):
-        yield step.value
-    for output in function.outputs:
-        yield from (entry.value for entry in output.entries)
-
-
 def _operations(expression: ir.Expression) -> Iterator[ir.Operation]:
     if isinstance(expression, ir.Call):
         yield expression.operation
@@ -218,7 +175,7 @@ def _chosen(
     drawn: Samples, good: Indices, items: int, taken: Sequence[NDArray[np.int64]]
 ) -> Indices:
     """Samples that take every branch any good sample takes, then others from all over."""
-    wanted = {int(sample): _decisions(taken, int(sample), items) for sample in good}
+    wanted = {int(sample): decided(taken, int(sample), items) for sample in good}
     missing = set().union(*wanted.values())
     chosen: list[int] = []
     while missing:
@@ -232,13 +189,6 @@ def _chosen(
     spread = rest[:: max(1, len(rest) // room)][:room] if room else []
     others = sorted({*chosen, *spread} - {ordinary[0]})
     return np.array([ordinary[0], *others], dtype=np.intp)
-
-
-def _decisions(
-    taken: Sequence[NDArray[np.int64]], sample: int, items: int
-) -> set[tuple[int, int]]:
-    rows = range(sample * items, (sample + 1) * items)
-    return {(k, int(code[row])) for k, code in enumerate(taken) for row in rows if code[row] >= 0}
 
 
 def _judge(

@@ -72,7 +72,8 @@ def _one(operation: Operation, operands: list[float], kind: Any) -> float:
     if any(math.isnan(x) for x in operands):
         return math.nan
     if operation is Operation.ATAN2:
-        return _atan2(*operands, kind)
+        y, x = operands
+        return _atan2(y, x, kind)
     (x,) = operands
     special = _special(operation, x)
     if special is not None:

@@ -91,9 +91,7 @@ def _search(
     return None
 
 
-def _fails_alone(
-    function: ir.Function, scalar: ir.Scalar, block: Rows, step: ir.Check
-) -> bool:
+def _fails_alone(function: ir.Function, scalar: ir.Scalar, block: Rows, step: ir.Check) -> bool:
     """True when of all guards only this one fails, in the first row and in no other."""
     outcome = evaluate(function, scalar, block)
     status = np.where(outcome.status != 0, outcome.status, outcome.item)

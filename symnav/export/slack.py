@@ -24,6 +24,8 @@ from symnav.export.rounded import LIBRARY
 Real = NDArray[Any]
 Operation = ir.Operation
 
+_ZERO: Real = np.zeros(())
+
 #: Units in the last place that a library function may be off.
 UNITS = 2.0
 
@@ -44,7 +46,7 @@ class Following:
 
     def number(self, value: float) -> Moving:
         """A literal stays where it is."""
-        return Moving(self._plain.number(value), np.float64(0.0))
+        return Moving(self._plain.number(value), _ZERO)
 
     def apply(self, operation: Operation, operands: Sequence[Moving]) -> Moving:
         """The result and how far it moves."""
@@ -76,7 +78,7 @@ def slack(function: ir.Function, scalar: ir.Scalar, outcome: Outcome) -> dict[st
     arithmetic = Following(scalar, function.guarded, count)
 
     def loads(element: ir.Load) -> Moving:
-        return Moving(plain(element), np.float64(0.0))
+        return Moving(plain(element), _ZERO)
 
     values = walk.run((*function.shared, *function.item), loads, {}, arithmetic)
     return {
@@ -99,9 +101,7 @@ def _allowed(
     return found
 
 
-_ROUNDED = frozenset(
-    (Operation.ADD, Operation.SUB, Operation.MUL, Operation.DIV, Operation.SQRT)
-)
+_ROUNDED = frozenset((Operation.ADD, Operation.SUB, Operation.MUL, Operation.DIV, Operation.SQRT))
 
 
 def _carried(
@@ -114,19 +114,20 @@ def _carried(
     if operation in (Operation.MIN, Operation.MAX):
         return np.maximum(moves[0], moves[1])
     if operation is Operation.MUL:
-        return np.abs(wide[1]) * moves[0] + np.abs(wide[0]) * moves[1]
+        return np.asarray(np.abs(wide[1]) * moves[0] + np.abs(wide[0]) * moves[1])
     if operation is Operation.DIV:
         quotient = np.abs(np.asarray(result, dtype=np.float64))
-        return (moves[0] + quotient * moves[1]) / np.abs(wide[1])
+        return np.asarray((moves[0] + quotient * moves[1]) / np.abs(wide[1]))
     if operation is Operation.ATAN2:
         square = wide[0] ** 2 + wide[1] ** 2
-        return (np.abs(wide[1]) * moves[0] + np.abs(wide[0]) * moves[1]) / square
+        crossed = np.abs(wide[1]) * moves[0] + np.abs(wide[0]) * moves[1]
+        return np.asarray(crossed / square)
     if operation in _SLOPES:
         (x,), r = wide, np.asarray(result, dtype=np.float64)
         return np.where(moves[0] > 0.0, np.abs(_SLOPES[operation](x, r)) * moves[0], 0.0)
     if operation in (Operation.ADD, Operation.SUB, Operation.NEG, Operation.ABS):
-        return sum(moves, start=np.float64(0.0))
-    return np.float64(0.0)  # comparisons, and whole numbers
+        return np.asarray(sum(moves))
+    return _ZERO  # comparisons, and whole numbers
 
 
 _SLOPES = {

@@ -250,7 +250,9 @@ class _Function:
             *head,
             self.tables.reals(stem, values, f"Input {argument.name}, sample by sample."),
             self.tables.reals(f"{stem}_lower", (low for low, _ in ends), f"{remark}: lower ends."),
-            self.tables.reals(f"{stem}_upper", (high for _, high in ends), f"{remark}: upper ends."),
+            self.tables.reals(
+                f"{stem}_upper", (high for _, high in ends), f"{remark}: upper ends."
+            ),
             "NULL",
             "NULL",
         ]
@@ -266,7 +268,9 @@ class _Function:
         return [
             *(str(rows), str(columns), str(int(output.item)), str(int(is_jacobian(output)))),
             str(count),
-            self.tables.places(f"{stem}_places", places, f"Non-zeros of {output.name}: row, column."),
+            self.tables.places(
+                f"{stem}_places", places, f"Non-zeros of {output.name}: row, column."
+            ),
             self.tables.reals(stem, values, f"Non-zeros of {output.name}."),
             "NULL"
             if allowed is None or not allowed.any()
@@ -290,14 +294,12 @@ class _Function:
 
     def _groups(self) -> list[list[str]]:
         found = []
-        code = self.section.kernel.target.code
         for k, argument in enumerate(self.function.arguments):
             for domain in read_domains(argument):
                 if self.function.guarded or argument.integer:
                     free = domain.kind is ir.Kind.REAL
                     status = f"{self.tables.prefix.upper()}_ANY" if free else "0"
                     found.append([str(k), str(domain.start), str(domain.size), status, "NULL"])
-        assert code
         return found
 
     def _turns(self) -> list[list[str]]:
