@@ -7,24 +7,25 @@ a form that is not known here is an error, so that none can be left untested.
 
 from __future__ import annotations
 
-import textwrap
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from math import prod
-from typing import Any
+from typing import Any, Protocol
 
 from symnav import ir
 from symnav.emit.c import sections
 from symnav.emit.c.difference import LARGEST
-from symnav.emit.c.entry_points import EntryPoint, Single
 from symnav.emit.c.header import Section
 from symnav.emit.c.literals import integer_bounds
+from symnav.emit.c.pieces import Parameter
 from symnav.emit.c.store import is_jacobian
 from symnav.emit.templates import render
 from symnav.export.evaluation import bounds, read_domains
 from symnav.export.golden import Golden, golden
 from symnav.export.records import Bundle, Tree
 from symnav.export.slack import UNITS
+from symnav.export.tables import Tables, hexadecimal, short
 from symnav.export.turns import turns
 
 #: How an entry point stores, by what stands behind the name of its function.
@@ -34,13 +35,28 @@ FORMS: Mapping[str, str] = {
     "_jacobian": "DENSE",
     "_nz": "NONZEROS",
     "_batch": "STACKED",
+    "_batch_nz": "PACKED",
+    "_blocks": "BLOCKS",
     "_sd": "DIFFERENCES",
     "_difference_matrix": "DENSE",
     "_difference_covariance": "DENSE",
 }
+
+
+class EntryPoint(Protocol):
+    """A public symbol, as the emitter lists it."""
+
+    @property
+    def symbol(self) -> str:
+        """Its name."""
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """In order."""
+
+
 _PAIR = ("_difference_matrix", "_difference_covariance")
 _GAP = 4  # elements behind every output that must stay untouched
-_WIDTH = 96
 
 
 def files(bundle: Bundle) -> dict[str, str]:
@@ -70,6 +86,7 @@ def _tree_files(bundle: Bundle, tree: Tree) -> dict[str, str]:
             function,
             golden(bundle.spec, derivations[function.name], function, module.scalar),
             tables,
+            _lanes(tree, section.kernel.symbol),
         )
         for section, function in zip(sections(module), module.functions, strict=True)
     ]
@@ -101,59 +118,11 @@ def _tree_files(bundle: Bundle, tree: Tree) -> dict[str, str]:
     }
 
 
-@dataclass
-class Tables:
-    """Constant tables of one tree; two of the same content are one."""
-
-    prefix: str
-    real: str
-    scalar: ir.Scalar
-    listed: list[dict[str, Any]] = field(default_factory=list)
-    _known: dict[tuple[str, str], str] = field(default_factory=dict)
-
-    def reals(self, wish: str, values: Iterable[Any], remark: str) -> str:
-        """Name of a table of reals, as hexadecimal literals."""
-        return self._table(wish, self.real, [hexadecimal(v, self.scalar) for v in values], remark)
-
-    def integers(self, wish: str, values: Iterable[int], remark: str) -> str:
-        """Name of a table of ``int32_t``."""
-        return self._table(wish, "int32_t", [str(int(v)) for v in values], remark)
-
-    def bytes(self, wish: str, values: Iterable[int], remark: str) -> str:
-        """Name of a table of ``uint8_t``."""
-        return self._table(wish, "uint8_t", [f"{int(v)}U" for v in values], remark)
-
-    def places(self, wish: str, rows: Iterable[Sequence[int]], remark: str) -> str:
-        """Name of a table of places."""
-        texts = ["{" + ",".join(str(v) for v in row) + "}" for row in rows]
-        return self._table(wish, f"{self.prefix}_place_t", texts, remark)
-
-    def _table(self, wish: str, kind: str, texts: Sequence[str], remark: str) -> str:
-        if not texts:
-            return "NULL"
-        content = ", ".join(texts)
-        known = self._known.get((kind, content))
-        if known is not None:
-            return known
-        taken = {table["name"] for table in self.listed}
-        name, count = f"{self.prefix}_{wish}", 2
-        while name in taken:
-            name, count = f"{self.prefix}_{wish}_{count}", count + 1
-        lines = textwrap.wrap(content, _WIDTH, break_long_words=False, break_on_hyphens=False)
-        self.listed.append(
-            {"name": name, "kind": kind, "length": len(texts), "lines": lines, "remark": remark}
-        )
-        self._known[kind, content] = name
-        return name
-
-
-def hexadecimal(value: Any, scalar: ir.Scalar) -> str:
-    """A number as a hexadecimal literal of C99, exact and without needless zeros."""
-    number = float(value)
-    mantissa, _, exponent = number.hex().partition("p")
-    if "." in mantissa:
-        mantissa = mantissa.rstrip("0").rstrip(".")
-    return f"{mantissa}p{exponent}{'F' if scalar is ir.Scalar.FLOAT else ''}"
+def _lanes(tree: Tree, symbol: str) -> int:
+    """Epochs that a function evaluates side by side, as its C says."""
+    pattern = re.compile(rf"^#define {symbol.upper()}_LANES (\d+)$", re.MULTILINE)
+    found = [int(number) for text in tree.files.values() for number in pattern.findall(text)]
+    return max(found, default=1)
 
 
 @dataclass(frozen=True)
@@ -164,6 +133,7 @@ class _Function:
     function: ir.Function
     golden: Golden
     tables: Tables
+    lanes: int
 
     @property
     def is_differenced(self) -> bool:
@@ -181,7 +151,7 @@ class _Function:
         """Epochs of a long batch: beyond a block, and beyond the samples."""
         if self.function.maximum is not None:
             return self.golden.samples + 2
-        return max(Single(self.section.kernel).lanes + 3, self.golden.samples + 2)
+        return max(self.lanes + 3, self.golden.samples + 2)
 
     def context(self) -> dict[str, Any]:
         """What the template of the cases needs."""
@@ -194,6 +164,7 @@ class _Function:
         rejects = self.fallible and function.items is ir.Items.REJECT
         numbers = (
             *(golden_of.samples, golden_of.items, function.maximum or 0, self.epochs),
+            self.lanes,
             *(int(function.column_major), int(rejects), int(function.guarded)),
             *(len(function.arguments), len(function.outputs), len(groups), len(turned)),
             len(plain),
@@ -275,7 +246,7 @@ class _Function:
             "NULL"
             if allowed is None or not allowed.any()
             else self.tables.reals(
-                f"{stem}_slack", map(_short, allowed), f"How far {output.name} may be off."
+                f"{stem}_slack", map(short, allowed), f"How far {output.name} may be off."
             ),
             f"{table}_rows" if listed and len(output.shape) > 1 else "NULL",
             f"{table}_columns" if listed else "NULL",
@@ -383,15 +354,6 @@ def _shape(output: ir.Output) -> tuple[int, int]:
     return (1, length) if is_jacobian(output) else (length, 1)
 
 
-def _short(value: float) -> float:
-    """A bound with a few digits, rounded up."""
-    if value == 0.0:
-        return 0.0
-    mantissa, _, exponent = float(value).hex().partition("p")
-    digits = int(mantissa[2:].replace(".", "")[:3].ljust(3, "0"), 16) + 1
-    return float(digits) * 2.0 ** (int(exponent) - 8)
-
-
 def _sizes(functions: Sequence[_Function]) -> dict[str, int]:
     """Elements that the largest call needs."""
     found = dict.fromkeys(
@@ -399,11 +361,12 @@ def _sizes(functions: Sequence[_Function]) -> dict[str, int]:
     )
     for of in functions:
         function, items, epochs = of.function, of.golden.items, of.epochs
+        filled = epochs + of.lanes  # whole blocks
         most = function.maximum or 1
         given = {
             kind: max(
                 sum(a.size * (most if a.item else 1) for a in arguments),
-                epochs * sum(a.size * (items if a.item else 1) for a in arguments),
+                filled * sum(a.size * (items if a.item else 1) for a in arguments),
             )
             for kind, arguments in (
                 ("given", [a for a in function.arguments if not a.integer]),
@@ -411,7 +374,7 @@ def _sizes(functions: Sequence[_Function]) -> dict[str, int]:
             )
         }
         single = [
-            _GAP + prod(output.shape) * max(most, epochs * (items if output.item else 1))
+            _GAP + prod(output.shape) * max(most, filled * (items if output.item else 1))
             for output in function.outputs
         ]
         needed = {
