@@ -7,6 +7,7 @@ Samples must take both ways, and some of them where it matters which way is take
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import pairwise, product
 from typing import Any
 
 import numpy as np
@@ -21,6 +22,8 @@ Codes = NDArray[np.int64]
 
 #: Halvings of the way between two samples that decide differently.
 HALVINGS = 6
+#: Samples on either side that a way is looked for between.
+TRIES = 3
 
 
 def expressions(function: ir.Function) -> Iterator[ir.Expression]:
@@ -94,39 +97,45 @@ def beside_turns(
         taken: what the rows decide.
     """
     found: list[dict[str, NDArray[Any]]] = []
-    seen: set[tuple[tuple[int, ...], ...]] = set()
-    for code in taken:
-        first = {int(c): int(s) for s in good[::-1] for c in code[s * items : (s + 1) * items]}
-        ways = tuple(tuple(int(c) for c in code[s * items : (s + 1) * items]) for s in good)
-        codes = [c for c in sorted(first) if c >= 0]
-        if ways in seen or len(codes) < 2:
+    seen: set[bytes] = set()
+    for k, code in enumerate(taken):
+        ways = code.reshape(-1, items)[good]
+        if ways.tobytes() in seen:  # another selection by the same condition
             continue
-        seen.add(ways)
-        ends = [_sample(rows, first[c], items) for c in codes[:2]]
-        found += _halved(function, scalar, *ends)
+        seen.add(ways.tobytes())
+        first = ways[:, 0]
+        codes = sorted({int(c) for c in first} - {-1})
+        for low_code, high_code in pairwise(codes):
+            pairs = product(good[first == low_code][:TRIES], good[first == high_code][:TRIES])
+            for low, high in pairs:
+                ends = (_sample(rows, int(low), items), _sample(rows, int(high), items))
+                halved = _halved(function, scalar, *ends, k)
+                if halved:
+                    found += halved
+                    break
     return found
 
 
 def _halved(
-    function: ir.Function, scalar: ir.Scalar, low: Rows, high: Rows
+    function: ir.Function, scalar: ir.Scalar, low: Rows, high: Rows, selection: int
 ) -> list[dict[str, NDArray[Any]]]:
-    """The two ends moved together while they decide differently."""
-    start = _way(function, scalar, low)
-    if start == _way(function, scalar, _between(function, low, high, 1.0)):
+    """The two ends moved together while they decide differently; none where they do not."""
+    start = _way(function, scalar, low, selection)
+    if start == _way(function, scalar, _between(function, low, high, 1.0), selection):
         return []
     near, far = 0.0, 1.0
     for _ in range(HALVINGS):
         middle = 0.5 * (near + far)
-        if _way(function, scalar, _between(function, low, high, middle)) == start:
+        if _way(function, scalar, _between(function, low, high, middle), selection) == start:
             near = middle
         else:
             far = middle
     return [_between(function, low, high, part) for part in (near, far)]
 
 
-def _way(function: ir.Function, scalar: ir.Scalar, sample: Rows) -> tuple[tuple[int, ...], ...]:
+def _way(function: ir.Function, scalar: ir.Scalar, sample: Rows, selection: int) -> int:
     outcome = evaluate(function, scalar, sample)
-    return tuple(tuple(code.tolist()) for code in decisions(function, scalar, outcome))
+    return int(decisions(function, scalar, outcome)[selection][0])
 
 
 def _between(function: ir.Function, low: Rows, high: Rows, part: float) -> dict[str, NDArray[Any]]:

@@ -115,6 +115,11 @@ MISTAKES = {
         "(in->antenna_y * attitude_01) -",
     ),
     "coefficient of a series": ("rover_f32_retract_kernel.h", r"- 0\.0208", "+ 0.0208"),
+    "series of a logarithm": (
+        "rover_f32_local_kernel.h",
+        r"\(attitude_log_tangent_squared \* t97\)",
+        "(attitude_log_tangent_squared / t97)",
+    ),
     "index of an input": ("rover_f32_gps_kernel.h", r"take_centred\(x\[17\]", "take_centred(x[16]"),
     "bound, by its last place": ("rover_f32_gps_kernel.h", r"x\[16\], 10\.0F", "x[16], 9.999999F"),
     "norm is not looked at": ("rover_f32_gps_kernel.h", r"skewed \|= is_skewed", "(void)is_skewed"),
