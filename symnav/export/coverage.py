@@ -1,9 +1,9 @@
 """How much of a bundle's C its own tests reach: lines, branches, and conditions by MC/DC.
 
-The test program is built with clang's source-based coverage and run. Branches and conditions are
-counted by llvm-cov for every file; a helper that several files include counts once, by the file
-that exercises it best. Modified condition/decision coverage wants each condition of a decision
-shown to decide it alone.
+The test program is built with clang's source-based coverage and run. A line, a way of a branch or
+a condition of the source counts once, however many files include it: as reached when some
+inclusion of it is. Modified condition/decision coverage wants each condition of a decision shown
+to decide it alone.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ import os
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -147,9 +147,9 @@ def measure(folder: Path) -> Coverage:
             raise ProofError(f"the tests of {folder} fail:\n{ran.stdout.strip()}")
         _run([tools.profdata, "merge", str(raw), "-o", str(profile)])
         report = [tools.cov, "export", str(program), f"-instr-profile={profile}"]
-        summary = _run([*report, "-summary-only"])
+        records = _run([*report, "-skip-expansions", "-skip-functions"])
         lines = _lines(_run([*report, "-format=lcov"]))
-    return Coverage(_files(summary, lines, root), _version(tools))
+    return Coverage(_files(records, lines, root), _version(tools))
 
 
 def _tools() -> _Tools | None:
@@ -186,16 +186,25 @@ def _lines(text: str) -> dict[str, Count]:
     return found
 
 
-def _files(summary: str, lines: dict[str, Count], root: Path) -> tuple[FileCoverage, ...]:
+def _files(records: str, lines: Mapping[str, Count], root: Path) -> tuple[FileCoverage, ...]:
     found = []
-    for entry in json.loads(summary)["data"][0]["files"]:
+    for entry in json.loads(records)["data"][0]["files"]:
         path = Path(entry["filename"])
         if path.parent == root / "src":
-            counts = entry["summary"]
-            branches, conditions = (
-                Count(counts[name]["covered"], counts[name]["count"])
-                for name in ("branches", "mcdc")
-            )
+            # From line and column to line and column, how often true, how often false.
+            ways = [(tuple(b[:4]), [b[4] > 0, b[5] > 0]) for b in entry["branches"]]
+            # From line and column to line and column, ..., for every condition whether it decided.
+            decided = [(tuple(d[:4]), list(d[-1])) for d in entry["mcdc_records"]]
             line = lines.get(entry["filename"], Count(0, 0))
-            found.append(FileCoverage(f"src/{path.name}", line, branches, conditions))
+            found.append(FileCoverage(f"src/{path.name}", line, _united(ways), _united(decided)))
     return tuple(sorted(found, key=lambda file: file.path))
+
+
+def _united(records: Iterable[tuple[tuple[int, ...], list[bool]]]) -> Count:
+    """What any inclusion of a place reached of it."""
+    places: dict[tuple[int, ...], list[bool]] = {}
+    for place, reached in records:
+        known = places.setdefault(place, [False] * len(reached))
+        places[place] = [a or b for a, b in zip(known, reached, strict=True)]
+    flags = [flag for reached in places.values() for flag in reached]
+    return Count(sum(flags), len(flags))
