@@ -13,6 +13,7 @@ from symnav import ir
 from symnav.lower.passes.counts import count_operations
 from symnav.lower.passes.inline import inline
 from symnav.lower.passes.prune import prune
+from symnav.lower.passes.ranges import drop_idle_checks
 from symnav.lower.passes.reciprocals import share_reciprocals
 from symnav.lower.passes.walk import nodes, references
 from tests.emit_c import building, modules
@@ -25,6 +26,7 @@ Pass = Callable[[ir.Function], ir.Function]
 PASSES: dict[str, Pass] = {
     "inline": inline,
     "reciprocals": share_reciprocals,
+    "idle checks": drop_idle_checks,
     "both": lambda function: inline(share_reciprocals(function)),
     "prune": lambda function: prune(function, [output.name for output in function.outputs]),
 }

@@ -75,8 +75,8 @@ class Columns(ItemLoops):
                 f"{kernel.local}_sparse",
                 [*stride, *(parameter.declaration for parameter in entry.parameters)],
             ),
-            "call": comments.code(f"{kept}{call(name, passed)};", depth=3),
-            "common": self.statements(self._common_columns(), 3),
+            "call": comments.code(f"{kept}{call(name, passed)};", depth=2),
+            "common": self.statements(self._common_columns(), 2),
             "clears": [line for s in stores for line in self._column_clear(s)],
             "sparse_call": comments.code(
                 "status = "
@@ -98,11 +98,11 @@ class Columns(ItemLoops):
 
     def _column_clear(self, store: Store) -> list[str]:
         if not is_jacobian(store.output):
-            return self.statements([call(store.clear, [self.row(store, "i")]) + ";"], 6)
+            return self.statements([call(store.clear, [self.row(store, "i")]) + ";"], 5)
         zero = self.kernel.target.literal(0.0)
         if store.count == 1:
-            return self.statements([f"{store.output.name}_nz[i] = {zero};"], 6)
-        indent = "    " * 6
+            return self.statements([f"{store.output.name}_nz[i] = {zero};"], 5)
+        indent = "    " * 5
         return [
             f"{indent}for (int32_t k = 0; k < {store.count}; ++k) {{",
             f"{indent}    {store.output.name}_nz[(k * stride) + i] = {zero};",

@@ -15,8 +15,8 @@ from symnav.emit.c.pieces import Parameter, call, head
 from symnav.emit.c.store import Use, stores_of
 from symnav.emit.templates import render
 
-# A standard deviation above this has a square that overflows the type.
-_LARGEST = {ir.Scalar.DOUBLE: 1e150, ir.Scalar.FLOAT: 1e18}
+LARGEST = {ir.Scalar.DOUBLE: 1e150, ir.Scalar.FLOAT: 1e18}
+"""A standard deviation above this has a square that overflows the type."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,7 +61,7 @@ def _entry_points(kernel: Kernel) -> list[EntryPoint]:
         "sigma",
         True,
         "in",
-        f"[n] Standard deviations of the items; range 0 to {_LARGEST[kernel.target.scalar]:g}.",
+        f"[n] Standard deviations of the items; range 0 to {LARGEST[kernel.target.scalar]:g}.",
     )
     covariance = Parameter(
         array.format("covariance", f"({limit} - 1) * ({limit} - 1)"),
@@ -148,5 +148,5 @@ def _source(mapped: Mapped, entries: Mapping[str, EntryPoint]) -> str:
         zero=target.literal(0.0),
         one=target.literal(1.0),
         minus_one=target.literal(-1.0),
-        largest=target.literal(_LARGEST[target.scalar]),
+        largest=target.literal(LARGEST[target.scalar]),
     )

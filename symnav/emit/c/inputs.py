@@ -219,7 +219,8 @@ class Inputs:
         """Names of the check functions the loaders call."""
         names: set[str] = set()
         for element in self.elements:
-            if not (self.guarded or element.argument.integer):
+            unchecked = not (self.guarded or element.argument.integer)
+            if unchecked or element.domain.kind is ir.Kind.UNREAD:
                 continue
             take, test, _ = self._range_check(element)
             names.add(take if self._is_copied(element) else test)

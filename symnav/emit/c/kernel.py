@@ -130,6 +130,12 @@ class Kernel:
         """True when the item part reads results of the shared part."""
         return self.mapped and bool(self._exported)
 
+    @property
+    def shared_fails(self) -> bool:
+        """True when the part evaluated once per call checks something."""
+        function = self.function
+        return function.guarded and any(isinstance(step, ir.Check) for step in function.shared)
+
     @cached_property
     def slots(self) -> tuple[ir.Load, ...]:
         """Elements that place a non-zero at run time, of all outputs."""

@@ -107,6 +107,7 @@ class Mapped(ItemLoops):
             ],
             "load": call(f"{kernel.local}_load", [*shared_arguments, *given]),
             "evaluate": call(f"{kernel.local}_shared", [*read, *made]),
+            "fallible": kernel.shared_fails,
         }
 
     def fills(

@@ -60,37 +60,17 @@ EKF_CAL_ONLINE_INLINE flag_t first_failure(
     return (earlier != (flag_t)EKF_CAL_ONLINE_OK) ? earlier : later;
 }
 
-/* True when a value is a number inside a closed range; false for NaN. */
-EKF_CAL_ONLINE_INLINE bool is_within(
-    ekf_cal_online_real_t value,
-    ekf_cal_online_real_t lower,
-    ekf_cal_online_real_t upper)
-{
-#ifdef __FRAMAC__ /* Eva does not conclude from the comparisons that the value is no NaN. */
-    return (value == value) && (value >= lower) && (value <= upper);
-#else
-    return (value >= lower) && (value <= upper);
-#endif
-}
-
 /* True when a value is a number inside [-bound, bound]; false for NaN. */
 EKF_CAL_ONLINE_INLINE bool is_centred(
     ekf_cal_online_real_t value,
     ekf_cal_online_real_t bound)
 {
-#ifdef __FRAMAC__ /* Eva bounds a value by comparisons with it, not with its magnitude. */
-    return is_within(value, -bound, bound);
+#ifdef __FRAMAC__ /* Eva bounds a value by comparisons with it, not with its magnitude, and does
+                     not conclude from them that it is no NaN. */
+    return (value == value) && (value >= -bound) && (value <= bound);
 #else
     return fabs(value) <= bound;
 #endif
-}
-
-/* 1 when a value is not a number inside [-bound, bound], else 0. */
-EKF_CAL_ONLINE_INLINE flag_t is_beyond(
-    ekf_cal_online_real_t value,
-    ekf_cal_online_real_t bound)
-{
-    return is_centred(value, bound) ? (flag_t)0U : (flag_t)1U;
 }
 
 /* Copy a value into [-bound, bound]. Outside it, or for NaN, zero stands for it and 1 is

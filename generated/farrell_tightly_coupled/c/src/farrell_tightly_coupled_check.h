@@ -78,8 +78,9 @@ FARRELL_TIGHTLY_COUPLED_INLINE bool is_centred(
     farrell_tightly_coupled_real_t value,
     farrell_tightly_coupled_real_t bound)
 {
-#ifdef __FRAMAC__ /* Eva bounds a value by comparisons with it, not with its magnitude. */
-    return is_within(value, -bound, bound);
+#ifdef __FRAMAC__ /* Eva bounds a value by comparisons with it, not with its magnitude, and does
+                     not conclude from them that it is no NaN. */
+    return (value == value) && (value >= -bound) && (value <= bound);
 #else
     return fabs(value) <= bound;
 #endif
@@ -92,14 +93,6 @@ FARRELL_TIGHTLY_COUPLED_INLINE flag_t is_outside(
     farrell_tightly_coupled_real_t upper)
 {
     return is_within(value, lower, upper) ? (flag_t)0U : (flag_t)1U;
-}
-
-/* 1 when a value is not a number inside [-bound, bound], else 0. */
-FARRELL_TIGHTLY_COUPLED_INLINE flag_t is_beyond(
-    farrell_tightly_coupled_real_t value,
-    farrell_tightly_coupled_real_t bound)
-{
-    return is_centred(value, bound) ? (flag_t)0U : (flag_t)1U;
 }
 
 /* Copy a value into [-bound, bound]. Outside it, or for NaN, zero stands for it and 1 is

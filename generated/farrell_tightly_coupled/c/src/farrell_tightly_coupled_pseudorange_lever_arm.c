@@ -453,23 +453,21 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_status_t pseudorange_leve
         &in);
 
     if (status == FARRELL_TIGHTLY_COUPLED_OK) {
-        status = (farrell_tightly_coupled_status_t)pseudorange_lever_arm_shared(&in, &shared);
-        if (status == FARRELL_TIGHTLY_COUPLED_OK) {
-            flag_t codes[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS];
-            const flag_t failed = pseudorange_lever_arm_columns(stride, &in, &shared, n,
-                satellite_position, value, jacobian_nz, codes);
+        flag_t codes[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS];
+        (void)pseudorange_lever_arm_shared(&in, &shared);
+        const flag_t failed = pseudorange_lever_arm_columns(stride, &in, &shared, n,
+            satellite_position, value, jacobian_nz, codes);
 
-            (void)memset(item_status, (int)FARRELL_TIGHTLY_COUPLED_OK, (size_t)n);
-            if (failed != 0U) {
-                for (int32_t i = 0; i < n; ++i) {
-                    item_status[i] = (uint8_t)codes[i];
-                    if (codes[i] != (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
-                        pseudorange_lever_arm_clear_value(&value[i]);
-                        for (int32_t k = 0; k < 7; ++k) {
-                            jacobian_nz[(k * stride) + i] = 0.0;
-                        }
-                        status = FARRELL_TIGHTLY_COUPLED_PARTIAL;
+        (void)memset(item_status, (int)FARRELL_TIGHTLY_COUPLED_OK, (size_t)n);
+        if (failed != 0U) {
+            for (int32_t i = 0; i < n; ++i) {
+                item_status[i] = (uint8_t)codes[i];
+                if (codes[i] != (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+                    pseudorange_lever_arm_clear_value(&value[i]);
+                    for (int32_t k = 0; k < 7; ++k) {
+                        jacobian_nz[(k * stride) + i] = 0.0;
                     }
+                    status = FARRELL_TIGHTLY_COUPLED_PARTIAL;
                 }
             }
         }

@@ -78,19 +78,12 @@ NAVTK_SPECIFIC_FORCE_INLINE bool is_centred(
     navtk_specific_force_real_t value,
     navtk_specific_force_real_t bound)
 {
-#ifdef __FRAMAC__ /* Eva bounds a value by comparisons with it, not with its magnitude. */
-    return is_within(value, -bound, bound);
+#ifdef __FRAMAC__ /* Eva bounds a value by comparisons with it, not with its magnitude, and does
+                     not conclude from them that it is no NaN. */
+    return (value == value) && (value >= -bound) && (value <= bound);
 #else
     return fabs(value) <= bound;
 #endif
-}
-
-/* 1 when a value is not a number inside [-bound, bound], else 0. */
-NAVTK_SPECIFIC_FORCE_INLINE flag_t is_beyond(
-    navtk_specific_force_real_t value,
-    navtk_specific_force_real_t bound)
-{
-    return is_centred(value, bound) ? (flag_t)0U : (flag_t)1U;
 }
 
 /* Copy a value into its range. Outside it, or for NaN, the lower end stands for it and 1 is

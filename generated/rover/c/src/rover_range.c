@@ -500,25 +500,23 @@ ROVER_INLINE rover_status_t range_sparse(
     rover_status_t status = (rover_status_t)range_load(x, nav_to_ecef, origin, &in);
 
     if (status == ROVER_OK) {
-        status = (rover_status_t)range_shared(&in, &shared);
-        if (status == ROVER_OK) {
-            flag_t codes[ROVER_RANGE_MAX_ITEMS];
-            const flag_t failed = range_columns(stride, &in, &shared, n, system, satellite_position,
-                satellite_clock, troposphere, ionosphere, measured, value, residual, jacobian_nz,
-                codes);
+        flag_t codes[ROVER_RANGE_MAX_ITEMS];
+        (void)range_shared(&in, &shared);
+        const flag_t failed = range_columns(stride, &in, &shared, n, system, satellite_position,
+            satellite_clock, troposphere, ionosphere, measured, value, residual, jacobian_nz,
+            codes);
 
-            (void)memset(item_status, (int)ROVER_OK, (size_t)n);
-            if (failed != 0U) {
-                for (int32_t i = 0; i < n; ++i) {
-                    item_status[i] = (uint8_t)codes[i];
-                    if (codes[i] != (flag_t)ROVER_OK) {
-                        range_clear_value(&value[i]);
-                        range_clear_residual(&residual[i]);
-                        for (int32_t k = 0; k < 11; ++k) {
-                            jacobian_nz[(k * stride) + i] = 0.0;
-                        }
-                        status = ROVER_PARTIAL;
+        (void)memset(item_status, (int)ROVER_OK, (size_t)n);
+        if (failed != 0U) {
+            for (int32_t i = 0; i < n; ++i) {
+                item_status[i] = (uint8_t)codes[i];
+                if (codes[i] != (flag_t)ROVER_OK) {
+                    range_clear_value(&value[i]);
+                    range_clear_residual(&residual[i]);
+                    for (int32_t k = 0; k < 11; ++k) {
+                        jacobian_nz[(k * stride) + i] = 0.0;
                     }
+                    status = ROVER_PARTIAL;
                 }
             }
         }

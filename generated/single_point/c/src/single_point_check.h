@@ -78,8 +78,9 @@ SINGLE_POINT_INLINE bool is_centred(
     single_point_real_t value,
     single_point_real_t bound)
 {
-#ifdef __FRAMAC__ /* Eva bounds a value by comparisons with it, not with its magnitude. */
-    return is_within(value, -bound, bound);
+#ifdef __FRAMAC__ /* Eva bounds a value by comparisons with it, not with its magnitude, and does
+                     not conclude from them that it is no NaN. */
+    return (value == value) && (value >= -bound) && (value <= bound);
 #else
     return fabs(value) <= bound;
 #endif

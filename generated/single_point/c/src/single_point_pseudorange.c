@@ -427,18 +427,16 @@ SINGLE_POINT_INLINE single_point_status_t pseudorange_sparse(
     single_point_status_t status = (single_point_status_t)pseudorange_load(x, &in);
 
     if (status == SINGLE_POINT_OK) {
-        status = (single_point_status_t)pseudorange_shared();
-        if (status == SINGLE_POINT_OK) {
-            status = pseudorange_check_items(&in, n, satellite_position, satellite_clock,
-                troposphere, ionosphere, item_status);
-        }
-        if (status == SINGLE_POINT_OK) {
-            flag_t codes[SINGLE_POINT_PSEUDORANGE_MAX_ITEMS];
-            (void)pseudorange_columns(stride, &in, n, satellite_position, satellite_clock,
-                troposphere, ionosphere, value, jacobian_nz, codes);
+        (void)pseudorange_shared();
+        status = pseudorange_check_items(&in, n, satellite_position, satellite_clock, troposphere,
+            ionosphere, item_status);
+    }
+    if (status == SINGLE_POINT_OK) {
+        flag_t codes[SINGLE_POINT_PSEUDORANGE_MAX_ITEMS];
+        (void)pseudorange_columns(stride, &in, n, satellite_position, satellite_clock, troposphere,
+            ionosphere, value, jacobian_nz, codes);
 
-            (void)memset(item_status, (int)SINGLE_POINT_OK, (size_t)n);
-        }
+        (void)memset(item_status, (int)SINGLE_POINT_OK, (size_t)n);
     }
     return status;
 }

@@ -60,37 +60,17 @@ WARPOS_GPS_INLINE flag_t first_failure(
     return (earlier != (flag_t)WARPOS_GPS_OK) ? earlier : later;
 }
 
-/* True when a value is a number inside a closed range; false for NaN. */
-WARPOS_GPS_INLINE bool is_within(
-    warpos_gps_real_t value,
-    warpos_gps_real_t lower,
-    warpos_gps_real_t upper)
-{
-#ifdef __FRAMAC__ /* Eva does not conclude from the comparisons that the value is no NaN. */
-    return (value == value) && (value >= lower) && (value <= upper);
-#else
-    return (value >= lower) && (value <= upper);
-#endif
-}
-
 /* True when a value is a number inside [-bound, bound]; false for NaN. */
 WARPOS_GPS_INLINE bool is_centred(
     warpos_gps_real_t value,
     warpos_gps_real_t bound)
 {
-#ifdef __FRAMAC__ /* Eva bounds a value by comparisons with it, not with its magnitude. */
-    return is_within(value, -bound, bound);
+#ifdef __FRAMAC__ /* Eva bounds a value by comparisons with it, not with its magnitude, and does
+                     not conclude from them that it is no NaN. */
+    return (value == value) && (value >= -bound) && (value <= bound);
 #else
     return fabs(value) <= bound;
 #endif
-}
-
-/* 1 when a value is not a number inside [-bound, bound], else 0. */
-WARPOS_GPS_INLINE flag_t is_beyond(
-    warpos_gps_real_t value,
-    warpos_gps_real_t bound)
-{
-    return is_centred(value, bound) ? (flag_t)0U : (flag_t)1U;
 }
 
 /* Copy a value into [-bound, bound]. Outside it, or for NaN, zero stands for it and 1 is
