@@ -1,0 +1,233 @@
+"""The inputs of a function, taken apart where it decides something.
+
+A comparison or a floor splits the inputs into cases: both exact arithmetic and the computation
+decide one way, both the other way, or rounding makes the computation decide otherwise. The last
+kind needs inputs within rounding of the boundary, which is what keeps the two sides of a switch
+from a series to a closed form together. Every case restricts what is compared, so that, for
+instance, the closed form is never divided by something near zero.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import product
+
+from symnav.export.rounding.evaluation import Assumptions, Evaluator, Pair, Pass
+from symnav.export.rounding.expressions import COMPARISONS, Graph, Node, Operation
+from symnav.export.rounding.intervals import (
+    EVERYTHING,
+    INFINITY,
+    Empty,
+    Interval,
+    point,
+)
+from symnav.export.rounding.model import Number, Truth
+
+_MOST_CASES = 400
+_MOST_STEPS = 8
+_GROWTH = 1.6
+_PASSES = 3
+
+
+@dataclass(frozen=True)
+class Choice:
+    """One way a comparison or a floor may go.
+
+    Attributes:
+        ranges: of nodes.
+        truths: of comparisons.
+        agreed: True when arithmetic and computation go the same way.
+    """
+
+    ranges: tuple[tuple[int, Pair], ...]
+    truths: tuple[tuple[int, Truth], ...]
+    agreed: bool
+
+
+def cases(evaluator: Evaluator, nodes: Sequence[Node]) -> Iterator[Assumptions]:
+    """Every case of a cone of nodes; together they hold every input."""
+    first = evaluator.run(nodes, Assumptions())
+    decisions = list(_decisions(evaluator.graph, nodes, first, refined=True))
+    if math.prod(len(choices) for choices in decisions) > _MOST_CASES:
+        decisions = list(_decisions(evaluator.graph, nodes, first, refined=False))
+    while math.prod(len(choices) for choices in decisions) > _MOST_CASES:
+        # What is not split is joined: both branches at once, which is wider but holds as well.
+        decisions.remove(max(decisions, key=len))
+    for chosen in product(*decisions):
+        try:
+            yield _joined(chosen)
+        except Empty:
+            continue
+
+
+def _joined(chosen: Iterable[Choice]) -> Assumptions:
+    ranges: dict[int, Pair] = {}
+    truths: dict[int, Truth] = {}
+    agreed = True
+    for choice in chosen:
+        for node, (real, computed) in choice.ranges:
+            before = ranges.get(node, (EVERYTHING, EVERYTHING))
+            ranges[node] = (before[0].meet(real), before[1].meet(computed))
+        truths.update(choice.truths)
+        agreed = agreed and choice.agreed
+    return Assumptions(ranges, truths, agreed)
+
+
+def settle(evaluator: Evaluator, nodes: Sequence[Node], case: Assumptions) -> Pass:
+    """The numbers of a case, with what later nodes say about earlier ones.
+
+    Raises:
+        Empty: when the case cannot happen.
+    """
+    ranges = dict(case.ranges)
+    for _ in range(_PASSES):
+        result = evaluator.run(nodes, Assumptions(ranges, case.truths, case.agreed))
+        news = list(_complementary(evaluator, result))
+        if all(_holds(result.numbers[node].real, known) for node, known in news):
+            break
+        for node, known in news:
+            before = ranges.get(node, (EVERYTHING, EVERYTHING))
+            ranges[node] = (before[0].meet(known), before[1])
+    return result
+
+
+def _holds(values: Interval, known: Interval) -> bool:
+    return known.lo <= values.lo and values.hi <= known.hi
+
+
+def _complementary(evaluator: Evaluator, found: Pass) -> Iterator[tuple[int, Interval]]:
+    """What two nodes whose squares have a known sum say about each other."""
+    for fact in evaluator.structure.complements:
+        if fact.squares in found.numbers and fact.other in found.numbers:
+            squares, other = found.numbers[fact.squares].real, found.numbers[fact.other].real
+            yield fact.squares, fact.total - other.square()
+            roots = (fact.total - squares).sqrt()
+            if other.lo >= 0.0:
+                yield fact.other, roots
+            elif other.hi <= 0.0:
+                yield fact.other, -roots
+            else:
+                yield fact.other, Interval(-roots.hi, roots.hi)
+
+
+def _decisions(
+    graph: Graph, nodes: Sequence[Node], first: Pass, *, refined: bool
+) -> Iterator[list[Choice]]:
+    for node in nodes:
+        if node.content in (Operation.LT, Operation.LE):
+            choices = list(_inequality(graph, node, first.numbers, refined=refined))
+        elif node.content in COMPARISONS:
+            choices = list(_equality(graph, node, first))
+        elif node.does(Operation.FLOOR):
+            choices = list(_floor(graph, node, first.numbers))
+        else:
+            continue
+        if len(choices) > 1:
+            yield choices
+
+
+def _inequality(
+    graph: Graph, node: Node, numbers: Mapping[int, Number], *, refined: bool
+) -> Iterator[Choice]:
+    """``value < threshold`` where the threshold is a literal."""
+    left, right = node.operands
+    if right not in numbers or graph.nodes[right].number is None:
+        return
+    threshold, value = numbers[right], numbers[left]
+    if value.error == INFINITY:
+        return
+    exact, held = threshold.real.lo, threshold.computed.lo
+    for real, computed in product((True, False), repeat=2):
+        truth = Truth(real, computed, real == computed)
+        sides = (_side(exact, real), _side(held, computed))
+        pieces = [sides[0]]
+        if refined and real == computed:
+            pieces = list(_pieces(sides[0], value.real))
+        for piece in pieces:
+            pair = (piece, sides[1])
+            ranges = ((left, pair), *_pulled(graph, left, piece))
+            yield Choice(tuple(ranges), ((node.index, truth),), real == computed)
+
+
+def _side(threshold: float, is_less: bool) -> Interval:
+    return Interval(-INFINITY, threshold) if is_less else Interval(threshold, INFINITY)
+
+
+def _pieces(side: Interval, values: Interval) -> Iterator[Interval]:
+    """A positive range cut at growing steps, so that quotients by it do not spread."""
+    low, high = max(side.lo, values.lo), min(side.hi, values.hi)
+    steps = 1
+    if 0.0 < low < high < INFINITY:
+        steps = max(1, min(_MOST_STEPS, math.ceil(math.log(high / low) / math.log(_GROWTH))))
+    ratio = (high / low) ** (1.0 / steps) if steps > 1 else 1.0
+    ends = [side.lo, *(low * ratio**k for k in range(1, steps)), side.hi]
+    for start, stop in zip(ends, ends[1:], strict=False):
+        yield Interval(start, stop)
+
+
+def _equality(graph: Graph, node: Node, first: Pass) -> Iterator[Choice]:
+    """``value == literal`` of an integer input, which rounding does not touch."""
+    left, right = node.operands
+    value, literal = first.numbers[left], first.numbers[right]
+    if value.error or literal.error or not literal.real.is_point:
+        return
+    wanted = node.does(Operation.EQ)
+    number = literal.real.lo
+    yield Choice(
+        ((left, (literal.real, literal.real)),), ((node.index, Truth(wanted, wanted, True)),), True
+    )
+    for rest in _without(value.real, number):
+        truth = Truth(not wanted, not wanted, True)
+        yield Choice(((left, (rest, rest)),), ((node.index, truth),), True)
+
+
+def _without(values: Interval, number: float) -> Iterator[Interval]:
+    """A range without one number: what is left on either side, its end included."""
+    if values.lo < number:
+        yield Interval(values.lo, number)
+    if values.hi > number:
+        yield Interval(number, values.hi)
+
+
+def _floor(graph: Graph, node: Node, numbers: Mapping[int, Number]) -> Iterator[Choice]:
+    """A floor: the same integer for both, or neighbours."""
+    (operand,) = node.operands
+    floors = numbers[node.index]
+    steps = floors.real.hull(floors.computed)
+    if not steps.hi - steps.lo < _MOST_STEPS or numbers[operand].error >= 1.0:
+        return
+    integers = [steps.lo + k for k in range(int(steps.hi - steps.lo) + 1)]
+    for real, computed in product(integers, repeat=2):
+        if abs(real - computed) <= 1.0:
+            pair = (Interval(real, real + 1.0), Interval(computed, computed + 1.0))
+            ranges = [(operand, pair), (node.index, (point(real), point(computed)))]
+            ranges += _pulled(graph, operand, pair[0])
+            yield Choice(tuple(ranges), (), real == computed)
+
+
+def _pulled(graph: Graph, index: int, real: Interval) -> list[tuple[int, Pair]]:
+    """What a range of a node says about what it is computed from, literals aside."""
+    node = graph.nodes[index]
+    numbers = [graph.nodes[operand].number for operand in node.operands]
+    if len(numbers) != 2 or (numbers[0] is None) == (numbers[1] is None):
+        return []
+    place = 1 if numbers[1] is None else 0
+    literal = numbers[1 - place]
+    assert literal is not None
+    found = _inverted(node, place, point(literal), real)
+    if found is None:
+        return []
+    operand = node.operands[place]
+    return [(operand, (found, EVERYTHING)), *_pulled(graph, operand, found)]
+
+
+def _inverted(node: Node, place: int, literal: Interval, real: Interval) -> Interval | None:
+    if node.does(Operation.ADD):
+        return real - literal
+    if node.does(Operation.SUB):
+        return literal - real if place == 1 else real + literal
+    if node.does(Operation.MUL) and literal.lo != 0.0:
+        return real / literal
+    return None
