@@ -11,15 +11,15 @@ is meant.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from symnav import ir
-from symnav.export.rounding.cases import cases, settle
-from symnav.export.rounding.evaluation import Evaluator
-from symnav.export.rounding.expressions import COMPARISONS, Graph, Operation, trace
+from symnav.export.rounding.cases import cases, followed, settle
+from symnav.export.rounding.evaluation import Assumptions, Evaluator
+from symnav.export.rounding.expressions import COMPARISONS, Graph, Node, Operation, trace
 from symnav.export.rounding.formats import FORMATS, Format
-from symnav.export.rounding.intervals import Empty, Interval
+from symnav.export.rounding.intervals import Empty, Interval, up_sum
 from symnav.export.rounding.structure import Structure
 
 
@@ -73,15 +73,30 @@ def _of_group(evaluator: Evaluator, group: list[int]) -> dict[int, ir.Rounding]:
     smooth = dict.fromkeys(group, 0.0)
     for case in cases(evaluator, nodes):
         try:
-            numbers = settle(evaluator, nodes, case).numbers
+            errors = _of_case(evaluator, nodes, case, group)
         except Empty:
             continue
-        for node in group:
-            error = numbers[node].error
+        for node, error in errors.items():
             worst[node] = max(worst[node], error)
             if case.agreed:
                 smooth[node] = max(smooth[node], error)
     return {node: ir.Rounding(worst[node], smooth[node]) for node in group}
+
+
+def _of_case(
+    evaluator: Evaluator, nodes: Sequence[Node], case: Assumptions, group: list[int]
+) -> dict[int, float]:
+    numbers = settle(evaluator, nodes, case).numbers
+    direct = {node: numbers[node].error for node in group}
+    if case.agreed:
+        return direct
+    try:
+        taken = settle(evaluator, nodes, followed(case, computed=True)).numbers
+        meant = settle(evaluator, nodes, followed(case, computed=False)).numbers
+    except Empty:  # one of the branches has no value there
+        return direct
+    jumps = {node: taken[node].real.farthest(meant[node].real) for node in group}
+    return {node: min(direct[node], up_sum(taken[node].error, jumps[node])) for node in group}
 
 
 def ranges(function: ir.Function, graph: Graph, kind: Format) -> dict[ir.Load, Interval]:

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import product
 
 from symnav.export.rounding.evaluation import Assumptions, Evaluator, Pair, Pass
@@ -21,6 +21,7 @@ from symnav.export.rounding.intervals import (
     INFINITY,
     Empty,
     Interval,
+    centred,
     point,
 )
 from symnav.export.rounding.model import Number, Truth
@@ -28,6 +29,8 @@ from symnav.export.rounding.model import Number, Truth
 _MOST_CASES = 400
 _MOST_STEPS = 8
 _GROWTH = 1.6
+_SHELL = 4.0
+_MOST_SHELLS = 40
 _PASSES = 3
 
 
@@ -39,19 +42,21 @@ class Choice:
         ranges: of nodes.
         truths: of comparisons.
         agreed: True when arithmetic and computation go the same way.
+        floor: the node it decides when that is a floor.
     """
 
     ranges: tuple[tuple[int, Pair], ...]
     truths: tuple[tuple[int, Truth], ...]
     agreed: bool
+    floor: int | None = None
 
 
 def cases(evaluator: Evaluator, nodes: Sequence[Node]) -> Iterator[Assumptions]:
     """Every case of a cone of nodes; together they hold every input."""
     first = evaluator.run(nodes, Assumptions())
-    decisions = list(_decisions(evaluator.graph, nodes, first, refined=True))
+    decisions = list(_decisions(evaluator, nodes, first, refined=True))
     if math.prod(len(choices) for choices in decisions) > _MOST_CASES:
-        decisions = list(_decisions(evaluator.graph, nodes, first, refined=False))
+        decisions = list(_decisions(evaluator, nodes, first, refined=False))
     while math.prod(len(choices) for choices in decisions) > _MOST_CASES:
         # What is not split is joined: both branches at once, which is wider but holds as well.
         decisions.remove(max(decisions, key=len))
@@ -65,14 +70,33 @@ def cases(evaluator: Evaluator, nodes: Sequence[Node]) -> Iterator[Assumptions]:
 def _joined(chosen: Iterable[Choice]) -> Assumptions:
     ranges: dict[int, Pair] = {}
     truths: dict[int, Truth] = {}
+    floors: list[int] = []
     agreed = True
     for choice in chosen:
+        floors += [] if choice.floor is None else [choice.floor]
         for node, (real, computed) in choice.ranges:
             before = ranges.get(node, (EVERYTHING, EVERYTHING))
             ranges[node] = (before[0].meet(real), before[1].meet(computed))
         truths.update(choice.truths)
         agreed = agreed and choice.agreed
-    return Assumptions(ranges, truths, agreed)
+    return Assumptions(ranges, truths, agreed, tuple(floors))
+
+
+def followed(case: Assumptions, *, computed: bool) -> Assumptions:
+    """A case with every decision made as the computation makes it, or as exact arithmetic does.
+
+    Where the two differ, the error is at most that of the branch the computation takes plus the
+    distance between the two branches' exact values.
+    """
+    truths = {}
+    for node, truth in case.truths.items():
+        way = truth.computed if computed else truth.real
+        truths[node] = Truth(way, way, True)
+    ranges = dict(case.ranges)
+    for floor in case.floors:
+        step = ranges[floor][1 if computed else 0]
+        ranges[floor] = (step, step)
+    return Assumptions(ranges, truths, True, case.floors)
 
 
 def settle(evaluator: Evaluator, nodes: Sequence[Node], case: Assumptions) -> Pass:
@@ -83,8 +107,8 @@ def settle(evaluator: Evaluator, nodes: Sequence[Node], case: Assumptions) -> Pa
     """
     ranges = dict(case.ranges)
     for _ in range(_PASSES):
-        result = evaluator.run(nodes, Assumptions(ranges, case.truths, case.agreed))
-        news = list(_complementary(evaluator, result))
+        result = evaluator.run(nodes, replace(case, ranges=dict(ranges)))
+        news = list(_consequences(evaluator, result))
         if all(_holds(result.numbers[node].real, known) for node, known in news):
             break
         for node, known in news:
@@ -97,7 +121,23 @@ def _holds(values: Interval, known: Interval) -> bool:
     return known.lo <= values.lo and values.hi <= known.hi
 
 
-def _complementary(evaluator: Evaluator, found: Pass) -> Iterator[tuple[int, Interval]]:
+def _consequences(evaluator: Evaluator, found: Pass) -> Iterator[tuple[int, Interval]]:
+    """What exact values say about exact values they are computed from, and about each other."""
+    yield from _of_complements(evaluator, found)
+    for index, squares in evaluator.structure.squares.items():
+        if index in found.numbers and squares.chosen is None:
+            longest = found.numbers[index].real.sqrt().hi
+            yield from ((leaf, centred(longest)) for leaf in squares.leaves)
+    for fact in evaluator.structure.differences:
+        if fact.squares in found.numbers:
+            longest = centred(found.numbers[fact.squares].real.sqrt().hi)
+            for first, second, sign in fact.parts:
+                for one, other in ((first, second), (second, first)):
+                    opposite = found.numbers[other].real
+                    yield one, longest + (-opposite if sign > 0 else opposite)
+
+
+def _of_complements(evaluator: Evaluator, found: Pass) -> Iterator[tuple[int, Interval]]:
     """What two nodes whose squares have a known sum say about each other."""
     for fact in evaluator.structure.complements:
         if fact.squares in found.numbers and fact.other in found.numbers:
@@ -113,8 +153,10 @@ def _complementary(evaluator: Evaluator, found: Pass) -> Iterator[tuple[int, Int
 
 
 def _decisions(
-    graph: Graph, nodes: Sequence[Node], first: Pass, *, refined: bool
+    evaluator: Evaluator, nodes: Sequence[Node], first: Pass, *, refined: bool
 ) -> Iterator[list[Choice]]:
+    graph = evaluator.graph
+    differences = {fact.squares for fact in evaluator.structure.differences}
     for node in nodes:
         if node.content in (Operation.LT, Operation.LE):
             choices = list(_inequality(graph, node, first.numbers, refined=refined))
@@ -122,10 +164,18 @@ def _decisions(
             choices = list(_equality(graph, node, first))
         elif node.does(Operation.FLOOR):
             choices = list(_floor(graph, node, first.numbers))
+        elif refined and node.index in differences:
+            choices = list(_shells(node, first.numbers))
         else:
             continue
         if len(choices) > 1:
             yield choices
+
+
+def _shells(node: Node, numbers: Mapping[int, Number]) -> Iterator[Choice]:
+    """A guarded squared distance, from near to far: what is near is small as well."""
+    for piece in _pieces(EVERYTHING, numbers[node.index].real, _SHELL, _MOST_SHELLS):
+        yield Choice(((node.index, (piece, EVERYTHING)),), (), True)
 
 
 def _inequality(
@@ -155,12 +205,14 @@ def _side(threshold: float, is_less: bool) -> Interval:
     return Interval(-INFINITY, threshold) if is_less else Interval(threshold, INFINITY)
 
 
-def _pieces(side: Interval, values: Interval) -> Iterator[Interval]:
+def _pieces(
+    side: Interval, values: Interval, growth: float = _GROWTH, most: int = _MOST_STEPS
+) -> Iterator[Interval]:
     """A positive range cut at growing steps, so that quotients by it do not spread."""
     low, high = max(side.lo, values.lo), min(side.hi, values.hi)
     steps = 1
     if 0.0 < low < high < INFINITY:
-        steps = max(1, min(_MOST_STEPS, math.ceil(math.log(high / low) / math.log(_GROWTH))))
+        steps = max(1, min(most, math.ceil(math.log(high / low) / math.log(growth))))
     ratio = (high / low) ** (1.0 / steps) if steps > 1 else 1.0
     ends = [side.lo, *(low * ratio**k for k in range(1, steps)), side.hi]
     for start, stop in zip(ends, ends[1:], strict=False):
@@ -204,7 +256,7 @@ def _floor(graph: Graph, node: Node, numbers: Mapping[int, Number]) -> Iterator[
             pair = (Interval(real, real + 1.0), Interval(computed, computed + 1.0))
             ranges = [(operand, pair), (node.index, (point(real), point(computed)))]
             ranges += _pulled(graph, operand, pair[0])
-            yield Choice(tuple(ranges), (), real == computed)
+            yield Choice(tuple(ranges), (), real == computed, node.index)
 
 
 def _pulled(graph: Graph, index: int, real: Interval) -> list[tuple[int, Pair]]:

@@ -14,6 +14,7 @@ from symnav.export.rounding.intervals import (
     INFINITY,
     Interval,
     down_quotient,
+    down_sqrt,
     down_sum,
     length,
     total,
@@ -22,6 +23,7 @@ from symnav.export.rounding.intervals import (
     up_sum,
 )
 from symnav.export.rounding.model import Number, Truth
+from symnav.export.rounding.polynomials import Polynomial
 from symnav.export.rounding.structure import Direction, Structure
 
 Pair = tuple[Interval, Interval]
@@ -36,11 +38,13 @@ class Assumptions:
         ranges: of nodes.
         truths: of comparisons.
         agreed: True when arithmetic and computation decide every comparison alike.
+        floors: nodes whose ranges are decisions.
     """
 
     ranges: Mapping[int, Pair] = field(default_factory=dict)
     truths: Mapping[int, Truth] = field(default_factory=dict)
     agreed: bool = True
+    floors: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -73,8 +77,10 @@ class Evaluator:
                 truths[node.index] = self._truth(node, numbers, truths, case)
                 continue
             number = self._number(node, numbers, truths).settled()
-            number = self._refined(node, number, numbers)
-            if node.index in case.ranges:
+            number = self._refined(node, number, numbers, truths)
+            if node.index in case.floors:
+                number = _decided(*case.ranges[node.index])
+            elif node.index in case.ranges:
                 number = number.within(*case.ranges[node.index])
             numbers[node.index] = number.settled()
         return Pass(numbers, truths)
@@ -92,7 +98,17 @@ class Evaluator:
         if content is Operation.SELECT:
             condition, *branches = node.operands
             return _chosen(truths[condition], *(numbers[branch] for branch in branches))
-        return propagation.apply(content, [numbers[operand] for operand in node.operands], self.kind)
+        operands = [numbers[operand] for operand in node.operands]
+        if content is Operation.ATAN2 and all(o.error < INFINITY for o in operands):
+            radius = self._radius(self.structure.radii[node.index], numbers)
+            return propagation.angle(operands[0], operands[1], radius, self.kind)
+        return propagation.apply(content, operands, self.kind)
+
+    def _radius(self, squared: Polynomial, numbers: Mapping[int, Number]) -> float:
+        """Least exact distance from the origin."""
+        if not squared.generators <= numbers.keys():
+            return 0.0
+        return down_sqrt(squared.range(lambda g: numbers[g].real).mignitude)
 
     def _element(self, load: ir.Load) -> Number:
         values = self.inputs[load]
@@ -141,7 +157,13 @@ class Evaluator:
             return given[0].both(given[1])
         return given[0].negated().both(given[1].negated()).negated()
 
-    def _refined(self, node: Node, number: Number, numbers: Mapping[int, Number]) -> Number:
+    def _refined(
+        self,
+        node: Node,
+        number: Number,
+        numbers: Mapping[int, Number],
+        truths: Mapping[int, Truth],
+    ) -> Number:
         """The number with what the structure of the graph says about it."""
         facts, index = self.structure, node.index
         if index in facts.forms:
@@ -153,11 +175,21 @@ class Evaluator:
                 number = number.within(exact.range(lambda g: numbers[g].real), EVERYTHING)
         if number.error == INFINITY:
             return number
-        if index in facts.norms:
+        if index in facts.norms and self._is_chosen(facts.norms[index], truths):
             return self._as_norm(index, number, numbers)
         if index in facts.directions:
-            return self._as_direction(facts.directions[index], number, numbers)
+            direction = facts.directions[index]
+            if self._is_chosen(facts.norms[direction.norm], truths):
+                return self._as_direction(direction, number, numbers)
         return number
+
+    def _is_chosen(self, squares: int, truths: Mapping[int, Truth]) -> bool:
+        """True where a sum of squares is one: nothing else was chosen in its place."""
+        chosen = self.structure.squares[squares].chosen
+        if chosen is None:
+            return True
+        truth = truths[chosen[0]]
+        return truth.real is truth.computed is chosen[1]
 
     def _as_norm(self, index: int, number: Number, numbers: Mapping[int, Number]) -> Number:
         """A norm moves by no more than the vector does; its own rounding is relative."""
@@ -208,6 +240,12 @@ class Evaluator:
             return INFINITY
         lost = up_quotient(lost, down_sum(least, -lost))
         return total((relative, up_product(lost, up_sum(1.0, relative))))
+
+
+def _decided(real: Interval, computed: Interval) -> Number:
+    """A floor is what the case says it is."""
+    error = real.farthest(computed)
+    return Number(real, computed, error, error)
 
 
 def _no_worse(number: Number, error: float) -> Number:

@@ -234,16 +234,28 @@ def _acos(operands: Sequence[Number], kind: Format) -> Number:
 
 
 def _atan2(operands: Sequence[Number], kind: Format) -> Number:
-    """The angle of a point moves by at most an arc over its distance from the origin."""
-    y, x = operands
+    return angle(*operands, 0.0, kind)
+
+
+def angle(y: Number, x: Number, radius: float, kind: Format) -> Number:
+    """The angle of a point: it moves by at most an arc over the distance from the origin.
+
+    Args:
+        y: ordinate.
+        x: abscissa.
+        radius: least distance of the exact point from the origin, as far as it is known.
+        kind: the type.
+    """
     real, exact = intervals.arctangent(y.real, x.real), intervals.arctangent(y.computed, x.computed)
     shift = intervals.length((y.error, x.error))
     around_y, around_x = y.real.hull(y.computed), x.real.hull(x.computed)
     nearest = (magnitudes(around_y).square() + magnitudes(around_x).square()).sqrt().lo
-    # The chord between two points at least r from the origin subtends 2 asin(chord / 2 r) <= pi/2
-    # times chord / r.
-    turned = up_product(above(PI.hi / 2.0), up_quotient(shift, nearest)) if nearest else PI.hi
-    turned = min(turned, PI.hi)
+    nearest = max(nearest, radius)
+    # From a point r away from the origin everything within d of it is seen within asin(d / r),
+    # which is at most pi/2 d / r.
+    turned = PI.hi
+    if shift < nearest:
+        turned = up_product(above(PI.hi / 2.0), up_quotient(shift, nearest))
     on_cut = around_x.lo <= 0.0 and around_y.lo <= 0.0 <= around_y.hi
     moved = up_sum(2.0 * PI.hi, 0.0) if on_cut else turned
     moved = min(moved, real.farthest(exact))

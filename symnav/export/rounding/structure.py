@@ -14,7 +14,7 @@ Facts, each of them recognised from the graph and none of them told by whoever b
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import combinations
 
 from symnav import ir
@@ -36,10 +36,13 @@ class Squares:
     Attributes:
         leaves: what is squared.
         roundings: most roundings a square goes through on its way into the sum, its own included.
+        chosen: where a choice keeps the sum away from zero, the condition and what it must be for
+            the sum to be what was chosen.
     """
 
     leaves: tuple[int, ...]
     roundings: int
+    chosen: tuple[int, bool] | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,6 +68,19 @@ class Complement:
 
 
 @dataclass(frozen=True, slots=True)
+class Difference:
+    """A node that is, when multiplied out, a sum of squares of differences and of other squares.
+
+    Attributes:
+        squares: the node, a guarded one.
+        parts: pairs of generators and a sign: the square of ``first + sign * second``.
+    """
+
+    squares: int
+    parts: tuple[tuple[int, int, int], ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Quaternion:
     """Elements of a guarded quaternion that are read, and the range of their squared norm."""
 
@@ -84,6 +100,8 @@ class Structure:
         norms: square roots of them: the sum, by the root.
         directions: elements over norms.
         complements: nodes known from each other.
+        differences: sums of squares that are not computed as such.
+        radii: for every arc tangent of two arguments, the exact square of their length.
     """
 
     graph: Graph
@@ -95,6 +113,8 @@ class Structure:
     norms: dict[int, int] = field(default_factory=dict)
     directions: dict[int, Direction] = field(default_factory=dict)
     complements: list[Complement] = field(default_factory=list)
+    differences: list[Difference] = field(default_factory=list)
+    radii: dict[int, Polynomial] = field(default_factory=dict)
     _relations: dict[int, Polynomial] = field(default_factory=dict)
     _inverses: dict[int, int] = field(default_factory=dict)
 
@@ -105,6 +125,9 @@ class Structure:
             self.polynomials.append(self._polynomial(node))
             self._find_squares(node)
             self._find_norms(node)
+            self._find_differences(node)
+            if node.does(Operation.ATAN2):
+                self.radii[node.index] = self._radius(node)
         quaternions = quaternions_of(self.graph, self.kind)
         for node in self.graph.nodes:
             self._find_forms(node, quaternions)
@@ -177,6 +200,34 @@ class Structure:
             self.squares[node.index] = Squares((*found[0].leaves, *found[1].leaves), roundings)
         elif isinstance(node.content, ir.Check) and found[0]:
             self.squares[node.index] = found[0]
+        elif node.does(Operation.SELECT) and (found[1] is None) != (found[2] is None):
+            inner = found[1] or found[2]
+            if inner is not None and inner.chosen is None:
+                self.squares[node.index] = replace(
+                    inner, chosen=(node.operands[0], found[1] is not None)
+                )
+
+    def _find_differences(self, node: Node) -> None:
+        """Guarded polynomials like ``g g - 2 g h + h h``."""
+        if not isinstance(node.content, ir.Check) or node.index in self.squares:
+            return
+        left = dict(self.polynomials[node.index].terms)
+        parts = []
+        for monomial, factor in self.polynomials[node.index].terms.items():
+            if len(monomial) == 2 and monomial[0] != monomial[1] and abs(factor) == 2:
+                first, second = monomial
+                if left.get((first, first)) == left.get((second, second)) == 1:
+                    for used in (monomial, (first, first), (second, second)):
+                        del left[used]
+                    parts.append((first, second, 1 if factor > 0 else -1))
+        squares = all(m[:1] * 2 == m and factor > 0 for m, factor in left.items())
+        if parts and squares:
+            self.differences.append(Difference(node.index, tuple(parts)))
+
+    def _radius(self, node: Node) -> Polynomial:
+        y, x = (self.polynomials[operand] for operand in node.operands)
+        small = len(x) * len(x) + len(y) * len(y) <= _MOST_PRODUCTS
+        return self._reduced(y * y + x * x) if small else Polynomial({})
 
     def _find_norms(self, node: Node) -> None:
         if node.does(Operation.SQRT) and node.operands[0] in self.squares:
