@@ -242,10 +242,12 @@ class Rounding:
         bound: on |computed - exact|.
         smooth: the same without those inputs where rounding decides a comparison or a floor the
             other way; equal to ``bound`` where nothing is decided.
+        largest: bound on |computed|.
     """
 
     bound: float
     smooth: float
+    largest: float
 
 
 @dataclass(frozen=True, slots=True)

@@ -69,34 +69,45 @@ def _decides(content: object) -> bool:
 
 def _of_group(evaluator: Evaluator, group: list[int]) -> dict[int, ir.Rounding]:
     nodes = evaluator.graph.cone(group)
-    worst = dict.fromkeys(group, 0.0)
-    smooth = dict.fromkeys(group, 0.0)
+    worst = dict.fromkeys(group, ir.Rounding(0.0, 0.0, 0.0))
     for case in cases(evaluator, nodes):
         try:
-            errors = _of_case(evaluator, nodes, case, group)
+            found = _of_case(evaluator, nodes, case, group)
         except Empty:
             continue
-        for node, error in errors.items():
-            worst[node] = max(worst[node], error)
-            if case.agreed:
-                smooth[node] = max(smooth[node], error)
-    return {node: ir.Rounding(worst[node], smooth[node]) for node in group}
+        worst = {node: _worse(worst[node], found[node]) for node in group}
+    return worst
+
+
+def _worse(a: ir.Rounding, b: ir.Rounding) -> ir.Rounding:
+    return ir.Rounding(max(a.bound, b.bound), max(a.smooth, b.smooth), max(a.largest, b.largest))
 
 
 def _of_case(
     evaluator: Evaluator, nodes: Sequence[Node], case: Assumptions, group: list[int]
-) -> dict[int, float]:
+) -> dict[int, ir.Rounding]:
     numbers = settle(evaluator, nodes, case).numbers
     direct = {node: numbers[node].error for node in group}
-    if case.agreed:
-        return direct
+    errors = direct if case.agreed else _decided_otherwise(evaluator, nodes, case, direct)
+    return {
+        node: ir.Rounding(error, error if case.agreed else 0.0, numbers[node].computed.magnitude)
+        for node, error in errors.items()
+    }
+
+
+def _decided_otherwise(
+    evaluator: Evaluator, nodes: Sequence[Node], case: Assumptions, direct: dict[int, float]
+) -> dict[int, float]:
+    """Errors where rounding decides: through both branches at once, or from one to the other."""
     try:
         taken = settle(evaluator, nodes, followed(case, computed=True)).numbers
         meant = settle(evaluator, nodes, followed(case, computed=False)).numbers
     except Empty:  # one of the branches has no value there
         return direct
-    jumps = {node: taken[node].real.farthest(meant[node].real) for node in group}
-    return {node: min(direct[node], up_sum(taken[node].error, jumps[node])) for node in group}
+    jumps = {node: taken[node].real.farthest(meant[node].real) for node in direct}
+    return {
+        node: min(error, up_sum(taken[node].error, jumps[node])) for node, error in direct.items()
+    }
 
 
 def ranges(function: ir.Function, graph: Graph, kind: Format) -> dict[ir.Load, Interval]:

@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import product
+from itertools import pairwise, product
 
 from symnav.export.rounding.evaluation import Assumptions, Evaluator, Pair, Pass
 from symnav.export.rounding.expressions import COMPARISONS, Graph, Node, Operation
@@ -130,11 +130,11 @@ def _consequences(evaluator: Evaluator, found: Pass) -> Iterator[tuple[int, Inte
             yield from ((leaf, centred(longest)) for leaf in squares.leaves)
     for fact in evaluator.structure.differences:
         if fact.squares in found.numbers:
-            longest = centred(found.numbers[fact.squares].real.sqrt().hi)
+            reach = centred(found.numbers[fact.squares].real.sqrt().hi)
             for first, second, sign in fact.parts:
                 for one, other in ((first, second), (second, first)):
                     opposite = found.numbers[other].real
-                    yield one, longest + (-opposite if sign > 0 else opposite)
+                    yield one, reach + (-opposite if sign > 0 else opposite)
 
 
 def _of_complements(evaluator: Evaluator, found: Pass) -> Iterator[tuple[int, Interval]]:
@@ -189,7 +189,10 @@ def _inequality(
     if value.error == INFINITY:
         return
     exact, held = threshold.real.lo, threshold.computed.lo
+    free_of_rounding = value.error == 0.0 and threshold.error == 0.0
     for real, computed in product((True, False), repeat=2):
+        if real != computed and free_of_rounding:
+            continue
         truth = Truth(real, computed, real == computed)
         sides = (_side(exact, real), _side(held, computed))
         pieces = [sides[0]]
@@ -215,7 +218,7 @@ def _pieces(
         steps = max(1, min(most, math.ceil(math.log(high / low) / math.log(growth))))
     ratio = (high / low) ** (1.0 / steps) if steps > 1 else 1.0
     ends = [side.lo, *(low * ratio**k for k in range(1, steps)), side.hi]
-    for start, stop in zip(ends, ends[1:], strict=False):
+    for start, stop in pairwise(ends):
         yield Interval(start, stop)
 
 

@@ -126,7 +126,9 @@ class Evaluator:
     def _guarded(self, check: ir.Check, value: Number) -> Number:
         """What passed a guard is a number inside its bounds, in the C and in exact arithmetic."""
         bounds = Interval(check.lower, check.upper)
-        ends = [min(max(end, -self.kind.largest), self.kind.largest) for end in (bounds.lo, bounds.hi)]
+        ends = [
+            min(max(end, -self.kind.largest), self.kind.largest) for end in (bounds.lo, bounds.hi)
+        ]
         held = bounds.hull(Interval(*(self.kind.literal(end) for end in ends)))
         passed = value.within(bounds, held)
         if value.error == INFINITY:
@@ -223,7 +225,7 @@ class Evaluator:
         shorter = down_quotient(norm.computed.mignitude, unit)
         lengths = down_sum(norm.real.mignitude, shorter)
         turned = up_quotient(up_product(2.0, moved), lengths) if lengths > 0.0 else INFINITY
-        return _no_worse(bounded, up_sum(min(turned, 2.0), relative))
+        return _no_worse(bounded, total((min(turned, 2.0), relative, self.kind.tiny)))
 
     def _relative(self, squared: int, more: int, numbers: Mapping[int, Number]) -> float:
         """Relative error of a root of a sum of squares of computed numbers, and what follows it.
@@ -249,9 +251,7 @@ def _decided(real: Interval, computed: Interval) -> Number:
 
 
 def _no_worse(number: Number, error: float) -> Number:
-    return Number(
-        number.real, number.computed, min(number.error, error), min(number.turned, error)
-    )
+    return Number(number.real, number.computed, min(number.error, error), min(number.turned, error))
 
 
 def _compared(operation: Operation, a: Interval, b: Interval) -> bool | None:

@@ -84,4 +84,3 @@ FORMATS = {
     ir.Scalar.FLOAT: Format(24, 3.4028234663852886e38, 2.0**-150),
     ir.Scalar.DOUBLE: Format(53, 1.7976931348623157e308, 2.0**-1074),
 }
-

@@ -176,9 +176,7 @@ def _library(
     return Number(real.meet(reach), computed, error, error)
 
 
-def _wave(
-    function: Callable[[Interval], Interval], slope: Callable[[Interval], Interval]
-) -> Rule:
+def _wave(function: Callable[[Interval], Interval], slope: Callable[[Interval], Interval]) -> Rule:
     """Sine and cosine: nowhere steeper than 1, and blind to whole turns."""
 
     def rule(operands: Sequence[Number], kind: Format) -> Number:
@@ -234,7 +232,8 @@ def _acos(operands: Sequence[Number], kind: Format) -> Number:
 
 
 def _atan2(operands: Sequence[Number], kind: Format) -> Number:
-    return angle(*operands, 0.0, kind)
+    y, x = operands
+    return angle(y, x, 0.0, kind)
 
 
 def angle(y: Number, x: Number, radius: float, kind: Format) -> Number:
