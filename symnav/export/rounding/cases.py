@@ -108,7 +108,7 @@ def settle(evaluator: Evaluator, nodes: Sequence[Node], case: Assumptions) -> Pa
     ranges = dict(case.ranges)
     for _ in range(_PASSES):
         result = evaluator.run(nodes, replace(case, ranges=dict(ranges)))
-        news = list(_consequences(evaluator, result))
+        news = [*_consequences(evaluator, result), *_of_decided(evaluator, case, result)]
         if all(_holds(result.numbers[node].real, known) for node, known in news):
             break
         for node, known in news:
@@ -119,6 +119,16 @@ def settle(evaluator: Evaluator, nodes: Sequence[Node], case: Assumptions) -> Pa
 
 def _holds(values: Interval, known: Interval) -> bool:
     return known.lo <= values.lo and values.hi <= known.hi
+
+
+def _of_decided(
+    evaluator: Evaluator, case: Assumptions, found: Pass
+) -> Iterator[tuple[int, Interval]]:
+    """What a compared value, by now known better, says about what it is computed from."""
+    for node in case.ranges:
+        if node not in case.floors:
+            pulled = _pulled(evaluator.graph, node, found.numbers[node].real)
+            yield from ((operand, real) for operand, (real, _) in pulled)
 
 
 def _consequences(evaluator: Evaluator, found: Pass) -> Iterator[tuple[int, Interval]]:

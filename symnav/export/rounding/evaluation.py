@@ -76,17 +76,33 @@ class Evaluator:
             if isinstance(node.content, Operation) and node.content in ir.CONDITIONS:
                 truths[node.index] = self._truth(node, numbers, truths, case)
                 continue
-            number = self._number(node, numbers, truths).settled()
-            number = self._refined(node, number, numbers, truths)
             if node.index in case.floors:
-                number = _decided(*case.ranges[node.index])
-            elif node.index in case.ranges:
-                number = number.within(*case.ranges[node.index])
+                numbers[node.index] = _decided(*case.ranges[node.index]).settled()
+                continue
+            real, computed = case.ranges.get(node.index, (EVERYTHING, EVERYTHING))
+            known = self._known(node.index, numbers).meet(real)
+            number = self._number(node, numbers, truths, known).within(known, computed).settled()
+            number = self._refined(node, number, numbers, truths)
             numbers[node.index] = number.settled()
         return Pass(numbers, truths)
 
+    def _known(self, index: int, numbers: Mapping[int, Number]) -> Interval:
+        """What holds for the exact value of a node, whatever it is computed from."""
+        facts = self.structure
+        known = facts.forms.get(index, EVERYTHING)
+        if index in facts.cancels:
+            exact = facts.polynomials[index]
+            # A cosine may stand for a sine that is not computed from it.
+            if index not in exact.generators and exact.generators <= numbers.keys():
+                known = known.meet(exact.range(lambda g: numbers[g].real))
+        return known
+
     def _number(
-        self, node: Node, numbers: Mapping[int, Number], truths: Mapping[int, Truth]
+        self,
+        node: Node,
+        numbers: Mapping[int, Number],
+        truths: Mapping[int, Truth],
+        known: Interval,
     ) -> Number:
         content = node.content
         if isinstance(content, ir.Number):
@@ -101,8 +117,8 @@ class Evaluator:
         operands = [numbers[operand] for operand in node.operands]
         if content is Operation.ATAN2 and all(o.error < INFINITY for o in operands):
             radius = self._radius(self.structure.radii[node.index], numbers)
-            return propagation.angle(operands[0], operands[1], radius, self.kind)
-        return propagation.apply(content, operands, self.kind)
+            return propagation.angle(operands[0], operands[1], radius, self.kind, known)
+        return propagation.apply(content, operands, self.kind, known)
 
     def _radius(self, squared: Polynomial, numbers: Mapping[int, Number]) -> float:
         """Least exact distance from the origin."""
@@ -168,13 +184,6 @@ class Evaluator:
     ) -> Number:
         """The number with what the structure of the graph says about it."""
         facts, index = self.structure, node.index
-        if index in facts.forms:
-            number = number.within(facts.forms[index], EVERYTHING)
-        if index in facts.cancels:
-            exact = facts.polynomials[index]
-            # A cosine may stand for a sine that is not computed from it.
-            if index not in exact.generators and exact.generators <= numbers.keys():
-                number = number.within(exact.range(lambda g: numbers[g].real), EVERYTHING)
         if number.error == INFINITY:
             return number
         if index in facts.norms and self._is_chosen(facts.norms[index], truths):

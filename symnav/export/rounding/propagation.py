@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from enum import Enum, auto
 
 from flint import arb
 
@@ -30,8 +32,6 @@ from symnav.export.rounding.intervals import (
 )
 from symnav.export.rounding.model import Number
 
-Rule = Callable[[Sequence[Number], Format], Number]
-
 
 def literal(value: float, kind: Format) -> Number:
     """A constant: rounded to the type once."""
@@ -46,47 +46,92 @@ def element(values: Interval, kind: Format) -> Number:
     return Number(held, held, 0.0, 0.0)
 
 
-def apply(operation: Operation, operands: Sequence[Number], kind: Format) -> Number:
+class Finish(Enum):
+    """What happens to the exact result of an operation on computed operands."""
+
+    ROUNDED = auto()
+    SCALED = auto()
+    LIBRARY = auto()
+    KEPT = auto()
+
+
+@dataclass(frozen=True, slots=True)
+class Raw:
+    """A result before it is rounded.
+
+    Attributes:
+        real: the operation on the exact operands.
+        exact: the operation on the computed operands, itself without rounding.
+        moved: bound on the distance between the two.
+        turned: the same but for whole turns, where that is less.
+        finish: how the result gets into the type.
+    """
+
+    real: Interval
+    exact: Interval
+    moved: float
+    turned: float = INFINITY
+    finish: Finish = Finish.ROUNDED
+
+
+Rule = Callable[[Sequence[Number], Format], Raw]
+
+
+def apply(
+    operation: Operation,
+    operands: Sequence[Number],
+    kind: Format,
+    known: Interval = EVERYTHING,
+) -> Number:
     """The result of an operation that is neither a condition nor a choice.
 
     A bound that is infinite stays infinite, whatever the operation: it may stand for a result that
     is not a number.
+
+    Args:
+        operation: what is done.
+        operands: to these.
+        kind: in this type.
+        known: holds every exact result, as is known from elsewhere.
+
+    Raises:
+        Empty: when what is known cannot be.
     """
-    result = _RULES[operation](operands, kind)
+    raw = _RULES[operation](operands, kind)
     if any(operand.error == INFINITY for operand in operands):
-        return Number(result.real, EVERYTHING, INFINITY, INFINITY)
-    return result
+        return Number(raw.real.meet(known), EVERYTHING, INFINITY, INFINITY)
+    return finished(raw, kind, known)
 
 
-def _rounded(
-    real: Interval, exact: Interval, moved: float, kind: Format, turned: float | None = None
-) -> Number:
-    """A correctly rounded result."""
-    return _off_by(real, exact, moved, kind.rounding(exact.magnitude), kind, turned)
-
-
-def _off_by(
-    real: Interval,
-    exact: Interval,
-    moved: float,
-    rounding: float,
-    kind: Format,
-    turned: float | None = None,
-) -> Number:
-    if not exact.magnitude <= kind.largest:
+def finished(raw: Raw, kind: Format, known: Interval = EVERYTHING) -> Number:
+    """A result in its type: what is known of the exact one bounds the rounding as well."""
+    real, exact = raw.real.meet(known), raw.exact
+    if raw.moved < INFINITY:
+        exact = exact.meet(real.widened(raw.moved))
+    if not exact.magnitude <= kind.largest or raw.moved == INFINITY:
         return Number(real, EVERYTHING, INFINITY, INFINITY)
-    error = up_sum(moved, rounding)
-    shifted = error if turned is None else up_sum(turned, rounding)
-    return Number(real, kind.rounded(exact), error, shifted)
+    rounding = _finishing(raw.finish, exact.magnitude, kind)
+    library = raw.finish is Finish.LIBRARY
+    computed = exact.widened(rounding) if library else kind.rounded(exact)
+    error = up_sum(raw.moved, rounding)
+    return Number(real, computed, error, min(error, up_sum(raw.turned, rounding)))
 
 
-def _add(operands: Sequence[Number], kind: Format) -> Number:
+def _finishing(finish: Finish, magnitude: float, kind: Format) -> float:
+    if finish is Finish.ROUNDED:
+        return kind.rounding(magnitude)
+    if finish is Finish.LIBRARY:
+        return kind.library(magnitude)
+    return kind.tiny if finish is Finish.SCALED else 0.0
+
+
+def _add(operands: Sequence[Number], kind: Format) -> Raw:
     a, b = operands
-    real, exact = a.real + b.real, a.computed + b.computed
-    return _rounded(real, exact, up_sum(a.error, b.error), kind, up_sum(a.turned, b.turned))
+    moved, turned = up_sum(a.error, b.error), up_sum(a.turned, b.turned)
+    return Raw(a.real + b.real, a.computed + b.computed, moved, turned)
 
 
-def _sub(operands: Sequence[Number], kind: Format) -> Number:
+def _sub(operands: Sequence[Number], kind: Format) -> Raw:
     a, b = operands
     return _add((a, _negated(b)), kind)
 
@@ -95,7 +140,7 @@ def _negated(a: Number) -> Number:
     return Number(-a.real, -a.computed, a.error, a.turned)
 
 
-def _mul(operands: Sequence[Number], kind: Format) -> Number:
+def _mul(operands: Sequence[Number], kind: Format) -> Raw:
     a, b = operands
     if a is b:
         real, exact = a.real.square(), a.computed.square()
@@ -106,10 +151,8 @@ def _mul(operands: Sequence[Number], kind: Format) -> Number:
         up_sum(up_product(b.computed.magnitude, a.error), up_product(a.real.magnitude, b.error)),
     )
     turned = min(_multiplied(a, b), _multiplied(b, a))
-    if _is_power_of_two(a) or _is_power_of_two(b):
-        rounding = kind.tiny if exact.magnitude <= kind.largest else INFINITY
-        return _off_by(real, exact, moved, rounding, kind, turned)
-    return _rounded(real, exact, moved, kind, turned)
+    scaled = _is_power_of_two(a) or _is_power_of_two(b)
+    return Raw(real, exact, moved, turned, Finish.SCALED if scaled else Finish.ROUNDED)
 
 
 def _multiplied(a: Number, factor: Number) -> float:
@@ -125,14 +168,14 @@ def _is_power_of_two(a: Number) -> bool:
     return values.is_point and values.lo != 0.0 and abs(math.frexp(values.lo)[0]) == 0.5
 
 
-def _div(operands: Sequence[Number], kind: Format) -> Number:
+def _div(operands: Sequence[Number], kind: Format) -> Raw:
     a, b = operands
     real, exact = a.real / b.real, a.computed / b.computed
     moved = min(
         _quotient_moved(a.error, b.error, real, b.computed),
         _quotient_moved(a.error, b.error, exact, b.real),
     )
-    return _rounded(real, exact, moved, kind)
+    return Raw(real, exact, moved)
 
 
 def _quotient_moved(a_error: float, b_error: float, quotient: Interval, divisor: Interval) -> float:
@@ -143,48 +186,38 @@ def _quotient_moved(a_error: float, b_error: float, quotient: Interval, divisor:
     return up_quotient(shifted, divisor.mignitude)
 
 
-def _neg(operands: Sequence[Number], kind: Format) -> Number:
-    return _negated(operands[0])
+def _neg(operands: Sequence[Number], kind: Format) -> Raw:
+    a = _negated(operands[0])
+    return Raw(a.real, a.computed, a.error, a.turned, Finish.KEPT)
 
 
-def _abs(operands: Sequence[Number], kind: Format) -> Number:
+def _abs(operands: Sequence[Number], kind: Format) -> Raw:
     (a,) = operands
-    return Number(magnitudes(a.real), magnitudes(a.computed), a.error, a.error)
+    return Raw(magnitudes(a.real), magnitudes(a.computed), a.error, finish=Finish.KEPT)
 
 
-def _sqrt(operands: Sequence[Number], kind: Format) -> Number:
+def _sqrt(operands: Sequence[Number], kind: Format) -> Raw:
     (a,) = operands
     if a.computed.lo < 0.0:
         # The graph does not rule out a negative number under the root: no bound.
-        return Number(a.real.sqrt(), EVERYTHING, INFINITY, INFINITY)
+        return Raw(a.real.sqrt(), EVERYTHING, INFINITY)
     real, exact = a.real.sqrt(), a.computed.sqrt()
     # |sqrt a' - sqrt a| = |a' - a| / (sqrt a' + sqrt a) <= sqrt |a' - a|
     lowest = down_sum(real.lo, exact.lo)
     moved = up_sqrt(a.error)
     if lowest > 0.0:
         moved = min(moved, up_quotient(a.error, lowest))
-    return _rounded(real, exact, moved, kind)
-
-
-def _library(
-    real: Interval, exact: Interval, moved: float, kind: Format, reach: Interval
-) -> Number:
-    """A function of the library: within its bound of the exact value, and inside its reach."""
-    rounding = kind.library(exact.magnitude)
-    computed = exact.widened(rounding)
-    error = up_sum(moved, rounding)
-    return Number(real.meet(reach), computed, error, error)
+    return Raw(real, exact, moved)
 
 
 def _wave(function: Callable[[Interval], Interval], slope: Callable[[Interval], Interval]) -> Rule:
     """Sine and cosine: nowhere steeper than 1, and blind to whole turns."""
 
-    def rule(operands: Sequence[Number], kind: Format) -> Number:
+    def rule(operands: Sequence[Number], kind: Format) -> Raw:
         (a,) = operands
-        real, exact = function(a.real), function(a.computed)
         steepest = slope(a.real.hull(a.computed)).magnitude
         moved = min(up_product(steepest, a.error), a.turned, 2.0)
-        return _library(real, exact, moved, kind, intervals.SIGNED_UNIT)
+        return Raw(function(a.real), function(a.computed), moved, finish=Finish.LIBRARY)
 
     return rule
 
@@ -196,47 +229,46 @@ def _monotone(
 ) -> Rule:
     """Increasing functions, by the mean value theorem."""
 
-    def rule(operands: Sequence[Number], kind: Format) -> Number:
+    def rule(operands: Sequence[Number], kind: Format) -> Raw:
         (a,) = operands
         if not (defined.lo <= a.computed.lo and a.computed.hi <= defined.hi):
-            return Number(EVERYTHING, EVERYTHING, INFINITY, INFINITY)
+            return Raw(EVERYTHING, EVERYTHING, INFINITY)
         real = intervals.increasing(function, a.real.meet(defined))
         exact = intervals.increasing(function, a.computed)
         moved = up_product(steepness(a.real.hull(a.computed)).magnitude, a.error)
-        return _library(real, exact, moved, kind, EVERYTHING)
+        return Raw(real, exact, moved, finish=Finish.LIBRARY)
 
     return rule
 
 
-def _tan(operands: Sequence[Number], kind: Format) -> Number:
+def _tan(operands: Sequence[Number], kind: Format) -> Raw:
     (a,) = operands
-    around = a.real.hull(a.computed)
-    if intervals.cosine(around).mignitude == 0.0:
-        return Number(EVERYTHING, EVERYTHING, INFINITY, INFINITY)
+    if intervals.cosine(a.real.hull(a.computed)).mignitude == 0.0:
+        return Raw(EVERYTHING, EVERYTHING, INFINITY)
     rule = _monotone(lambda ball: ball.tan(), lambda v: _reciprocal(intervals.cosine(v).square()))
     return rule(operands, kind)
 
 
 def _reciprocal(values: Interval) -> Interval:
-    """Reciprocals."""
     return intervals.ONE / values
 
 
-def _acos(operands: Sequence[Number], kind: Format) -> Number:
+def _acos(operands: Sequence[Number], kind: Format) -> Raw:
+    """A quarter turn less the arc sine."""
     (a,) = operands
     turned = _RULES[Operation.ASIN]((_negated(a),), kind)
     quarter = Interval(PI.lo / 2.0, PI.hi / 2.0)
-    real, exact = turned.real + quarter, turned.computed + quarter
-    error = up_sum(turned.error, kind.library(exact.magnitude))
-    return Number(real, exact.widened(kind.library(exact.magnitude)), error, error)
+    return replace(turned, real=turned.real + quarter, exact=turned.exact + quarter)
 
 
-def _atan2(operands: Sequence[Number], kind: Format) -> Number:
+def _atan2(operands: Sequence[Number], kind: Format) -> Raw:
     y, x = operands
-    return angle(y, x, 0.0, kind)
+    return _angle(y, x, 0.0)
 
 
-def angle(y: Number, x: Number, radius: float, kind: Format) -> Number:
+def angle(
+    y: Number, x: Number, radius: float, kind: Format, known: Interval = EVERYTHING
+) -> Number:
     """The angle of a point: it moves by at most an arc over the distance from the origin.
 
     Args:
@@ -244,43 +276,44 @@ def angle(y: Number, x: Number, radius: float, kind: Format) -> Number:
         x: abscissa.
         radius: least distance of the exact point from the origin, as far as it is known.
         kind: the type.
+        known: holds every exact result.
     """
+    return finished(_angle(y, x, radius), kind, known)
+
+
+def _angle(y: Number, x: Number, radius: float) -> Raw:
     real, exact = intervals.arctangent(y.real, x.real), intervals.arctangent(y.computed, x.computed)
     shift = intervals.length((y.error, x.error))
     around_y, around_x = y.real.hull(y.computed), x.real.hull(x.computed)
-    nearest = (magnitudes(around_y).square() + magnitudes(around_x).square()).sqrt().lo
-    nearest = max(nearest, radius)
+    box = (magnitudes(around_y).square() + magnitudes(around_x).square()).sqrt().lo
+    nearest = max(box, radius)
     # From a point r away from the origin everything within d of it is seen within asin(d / r),
     # which is at most pi/2 d / r.
     turned = PI.hi
     if shift < nearest:
-        turned = up_product(above(PI.hi / 2.0), up_quotient(shift, nearest))
+        turned = min(turned, up_product(above(PI.hi / 2.0), up_quotient(shift, nearest)))
     on_cut = around_x.lo <= 0.0 and around_y.lo <= 0.0 <= around_y.hi
-    moved = up_sum(2.0 * PI.hi, 0.0) if on_cut else turned
-    moved = min(moved, real.farthest(exact))
-    rounding = kind.library(exact.magnitude)
-    result = _library(real, exact, moved, kind, EVERYTHING)
-    return Number(result.real, result.computed, result.error, up_sum(turned, rounding))
+    moved = min(2.0 * PI.hi if on_cut else turned, real.farthest(exact))
+    return Raw(real, exact, moved, turned, Finish.LIBRARY)
 
 
-def _floor(operands: Sequence[Number], kind: Format) -> Number:
+def _floor(operands: Sequence[Number], kind: Format) -> Raw:
     (a,) = operands
     real, computed = a.real.floor(), a.computed.floor()
     moved = 0.0 if real == computed and real.is_point else above(a.error + 1.0)
-    return Number(real, computed, moved, moved)
+    return Raw(real, computed, moved, finish=Finish.KEPT)
 
 
 def _extreme(pick: Callable[[float, float], float]) -> Rule:
     """The smaller or the larger of two: moves no more than either of them."""
 
-    def rule(operands: Sequence[Number], kind: Format) -> Number:
+    def rule(operands: Sequence[Number], kind: Format) -> Raw:
         a, b = operands
-        values = [
+        real, computed = (
             Interval(pick(p.lo, q.lo), pick(p.hi, q.hi))
             for p, q in ((a.real, b.real), (a.computed, b.computed))
-        ]
-        error = max(a.error, b.error)
-        return Number(values[0], values[1], error, error)
+        )
+        return Raw(real, computed, max(a.error, b.error), finish=Finish.KEPT)
 
     return rule
 
