@@ -32,6 +32,7 @@ _GROWTH = 1.6
 _SHELL = 4.0
 _MOST_SHELLS = 40
 _PASSES = 3
+_LITTLE = 0.01
 
 
 @dataclass(frozen=True)
@@ -118,7 +119,11 @@ def settle(evaluator: Evaluator, nodes: Sequence[Node], case: Assumptions) -> Pa
 
 
 def _holds(values: Interval, known: Interval) -> bool:
-    return known.lo <= values.lo and values.hi <= known.hi
+    """True where what is known would hardly narrow the values."""
+    if values.is_point or values.magnitude == INFINITY:
+        return known.lo <= values.lo and values.hi <= known.hi
+    margin = _LITTLE * (values.hi - values.lo)
+    return known.lo <= values.lo + margin and values.hi - margin <= known.hi
 
 
 def _of_decided(
