@@ -105,7 +105,7 @@ def test_packages_say_nothing_about_rounding(tmp_path: Path) -> None:
 
 
 def test_every_output_of_every_bundle_is_recorded(tmp_path: Path) -> None:
-    for model in ("single_point", "warpos_gps"):
+    for model in ("reference_relative", "warpos_gps"):
         record, _ = exported(model, tmp_path / model, "double")
         for tree in record["trees"]:
             for function in tree["functions"]:

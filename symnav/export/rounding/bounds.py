@@ -100,8 +100,8 @@ def _decided_otherwise(
 ) -> dict[int, float]:
     """Errors where rounding decides: through both branches at once, or from one to the other."""
     try:
-        taken = settle(evaluator, nodes, followed(case, computed=True)).numbers
-        meant = settle(evaluator, nodes, followed(case, computed=False)).numbers
+        taken = settle(evaluator, nodes, followed(case, computed=True), 1).numbers
+        meant = settle(evaluator, nodes, followed(case, computed=False), 1).numbers
     except Empty:  # one of the branches has no value there
         return direct
     jumps = {node: taken[node].real.farthest(meant[node].real) for node in direct}

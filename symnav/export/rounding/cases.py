@@ -100,15 +100,25 @@ def followed(case: Assumptions, *, computed: bool) -> Assumptions:
     return Assumptions(ranges, truths, True, case.floors)
 
 
-def settle(evaluator: Evaluator, nodes: Sequence[Node], case: Assumptions) -> Pass:
+def settle(
+    evaluator: Evaluator, nodes: Sequence[Node], case: Assumptions, passes: int = _PASSES
+) -> Pass:
     """The numbers of a case, with what later nodes say about earlier ones.
+
+    Args:
+        evaluator: of the function.
+        nodes: a cone.
+        case: what is assumed.
+        passes: most times to look at all nodes.
 
     Raises:
         Empty: when the case cannot happen.
     """
     ranges = dict(case.ranges)
-    for _ in range(_PASSES):
+    for last in range(passes - 1, -1, -1):
         result = evaluator.run(nodes, replace(case, ranges=dict(ranges)))
+        if last == 0:
+            break
         news = [*_consequences(evaluator, result), *_of_decided(evaluator, case, result)]
         if all(_holds(result.numbers[node].real, known) for node, known in news):
             break

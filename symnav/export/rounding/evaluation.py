@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from symnav import ir
 from symnav.export.rounding import propagation
@@ -260,7 +260,7 @@ def _decided(real: Interval, computed: Interval) -> Number:
 
 
 def _no_worse(number: Number, error: float) -> Number:
-    return Number(number.real, number.computed, min(number.error, error), min(number.turned, error))
+    return replace(number, error=min(number.error, error), turned=min(number.turned, error))
 
 
 def _compared(operation: Operation, a: Interval, b: Interval) -> bool | None:
@@ -287,9 +287,11 @@ def _chosen(truth: Truth, chosen: Number, otherwise: Number) -> Number:
     ]
     error = max(branch.error for branch in used)
     turned = max(branch.turned for branch in used)
+    relative = max(branch.relative for branch in used)
     if not alike and error < INFINITY:
         error = turned = real.farthest(computed)
-    return Number(real, computed, error, turned)
+        relative = INFINITY
+    return Number(real, computed, error, turned, relative)
 
 
 def _picked(truth: bool | None, chosen: Interval, otherwise: Interval) -> Interval:

@@ -38,6 +38,11 @@ class Format:
     tiny: float
     ulps: float = 1.0
 
+    @property
+    def smallest(self) -> float:
+        """Every number of at least this magnitude has all its bits."""
+        return math.ldexp(self.tiny, self.bits)
+
     def rounding(self, magnitude: float) -> float:
         """Most that rounding moves a number up to this magnitude."""
         if magnitude == 0.0:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from symnav.export.rounding.intervals import INFINITY, Interval
+from symnav.export.rounding.intervals import INFINITY, Interval, up_product, up_quotient
 
 
 @dataclass(frozen=True, slots=True)
@@ -17,12 +17,15 @@ class Number:
         error: bound on |computed - exact|, input by input.
         turned: bound on the distance of computed - exact from a multiple of 2 pi: an angle that
             jumps from one end of its range to the other is as good for a sine.
+        relative: bound on |computed - exact| / |exact|, which products and quotients of widely
+            ranging factors hand on unharmed.
     """
 
     real: Interval
     computed: Interval
     error: float
     turned: float
+    relative: float = INFINITY
 
     def settled(self) -> Number:
         """The same with everything each attribute says about the others.
@@ -33,9 +36,14 @@ class Number:
         error = min(self.error, self.real.farthest(self.computed))
         if error == INFINITY:
             return replace(self, error=error)
+        if self.relative < INFINITY:
+            error = min(error, up_product(self.relative, self.real.magnitude))
         real = self.real.meet(self.computed.widened(error))
         computed = self.computed.meet(self.real.widened(error))
-        return Number(real, computed, error, min(self.turned, error))
+        relative = self.relative
+        if real.mignitude > 0.0:
+            relative = min(relative, up_quotient(error, real.mignitude))
+        return Number(real, computed, error, min(self.turned, error), relative)
 
     def within(self, real: Interval, computed: Interval) -> Number:
         """What is left of it when the values are known to be inside.

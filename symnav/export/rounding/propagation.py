@@ -22,6 +22,7 @@ from symnav.export.rounding.intervals import (
     PI,
     Interval,
     above,
+    down_product,
     down_sum,
     magnitudes,
     point,
@@ -37,13 +38,19 @@ def literal(value: float, kind: Format) -> Number:
     """A constant: rounded to the type once."""
     held = kind.literal(value)
     error = up_sum(abs(held - value), 0.0)
-    return Number(point(value), point(held), error, error)
+    return Number(point(value), point(held), error, error, _relative(error, value))
 
 
 def element(values: Interval, kind: Format) -> Number:
     """An input: what the caller passes is what is meant."""
     held = values.hull(Interval(kind.literal(values.lo), kind.literal(values.hi)))
-    return Number(held, held, 0.0, 0.0)
+    return Number(held, held, 0.0, 0.0, 0.0)
+
+
+def _relative(error: float, value: float) -> float:
+    if value == 0.0:
+        return 0.0 if error == 0.0 else INFINITY
+    return up_quotient(error, abs(value))
 
 
 class Finish(Enum):
@@ -64,6 +71,7 @@ class Raw:
         exact: the operation on the computed operands, itself without rounding.
         moved: bound on the distance between the two.
         turned: the same but for whole turns, where that is less.
+        relative: bound on the distance over the magnitude of the former.
         finish: how the result gets into the type.
     """
 
@@ -71,6 +79,7 @@ class Raw:
     exact: Interval
     moved: float
     turned: float = INFINITY
+    relative: float = INFINITY
     finish: Finish = Finish.ROUNDED
 
 
@@ -114,7 +123,25 @@ def finished(raw: Raw, kind: Format, known: Interval = EVERYTHING) -> Number:
     library = raw.finish is Finish.LIBRARY
     computed = exact.widened(rounding) if library else kind.rounded(exact)
     error = up_sum(raw.moved, rounding)
-    return Number(real, computed, error, min(error, up_sum(raw.turned, rounding)))
+    turned = min(error, up_sum(raw.turned, rounding))
+    return Number(real, computed, error, turned, _relatively(raw, real, kind))
+
+
+def _relatively(raw: Raw, real: Interval, kind: Format) -> float:
+    """Relative error of a result that certainly has all its bits."""
+    if raw.finish is Finish.KEPT:
+        return raw.relative
+    least = down_product(real.mignitude, down_sum(1.0, -raw.relative))
+    if raw.finish is Finish.LIBRARY or raw.relative >= 0.5 or least < kind.smallest:
+        return INFINITY
+    if raw.finish is Finish.SCALED:
+        return raw.relative
+    return both(raw.relative, kind.rounding(1.0))
+
+
+def both(a: float, b: float) -> float:
+    """Two relative errors one after the other: (1 + a) (1 + b) - 1."""
+    return up_sum(up_sum(a, b), up_product(a, b))
 
 
 def _finishing(finish: Finish, magnitude: float, kind: Format) -> float:
@@ -128,7 +155,9 @@ def _finishing(finish: Finish, magnitude: float, kind: Format) -> float:
 def _add(operands: Sequence[Number], kind: Format) -> Raw:
     a, b = operands
     moved, turned = up_sum(a.error, b.error), up_sum(a.turned, b.turned)
-    return Raw(a.real + b.real, a.computed + b.computed, moved, turned)
+    alike = min(a.real.lo, b.real.lo) >= 0.0 or max(a.real.hi, b.real.hi) <= 0.0
+    relative = max(a.relative, b.relative) if alike else INFINITY
+    return Raw(a.real + b.real, a.computed + b.computed, moved, turned, relative)
 
 
 def _sub(operands: Sequence[Number], kind: Format) -> Raw:
@@ -137,7 +166,7 @@ def _sub(operands: Sequence[Number], kind: Format) -> Raw:
 
 
 def _negated(a: Number) -> Number:
-    return Number(-a.real, -a.computed, a.error, a.turned)
+    return Number(-a.real, -a.computed, a.error, a.turned, a.relative)
 
 
 def _mul(operands: Sequence[Number], kind: Format) -> Raw:
@@ -152,7 +181,8 @@ def _mul(operands: Sequence[Number], kind: Format) -> Raw:
     )
     turned = min(_multiplied(a, b), _multiplied(b, a))
     scaled = _is_power_of_two(a) or _is_power_of_two(b)
-    return Raw(real, exact, moved, turned, Finish.SCALED if scaled else Finish.ROUNDED)
+    finish = Finish.SCALED if scaled else Finish.ROUNDED
+    return Raw(real, exact, moved, turned, both(a.relative, b.relative), finish)
 
 
 def _multiplied(a: Number, factor: Number) -> float:
@@ -175,7 +205,10 @@ def _div(operands: Sequence[Number], kind: Format) -> Raw:
         _quotient_moved(a.error, b.error, real, b.computed),
         _quotient_moved(a.error, b.error, exact, b.real),
     )
-    return Raw(real, exact, moved)
+    # (1 + a) / (1 - b) - 1 = (a + b) / (1 - b)
+    rest = down_sum(1.0, -b.relative)
+    relative = up_quotient(up_sum(a.relative, b.relative), rest) if rest > 0.0 else INFINITY
+    return Raw(real, exact, moved, relative=relative)
 
 
 def _quotient_moved(a_error: float, b_error: float, quotient: Interval, divisor: Interval) -> float:
@@ -188,12 +221,13 @@ def _quotient_moved(a_error: float, b_error: float, quotient: Interval, divisor:
 
 def _neg(operands: Sequence[Number], kind: Format) -> Raw:
     a = _negated(operands[0])
-    return Raw(a.real, a.computed, a.error, a.turned, Finish.KEPT)
+    return Raw(a.real, a.computed, a.error, a.turned, a.relative, Finish.KEPT)
 
 
 def _abs(operands: Sequence[Number], kind: Format) -> Raw:
     (a,) = operands
-    return Raw(magnitudes(a.real), magnitudes(a.computed), a.error, finish=Finish.KEPT)
+    real, computed = magnitudes(a.real), magnitudes(a.computed)
+    return Raw(real, computed, a.error, relative=a.relative, finish=Finish.KEPT)
 
 
 def _sqrt(operands: Sequence[Number], kind: Format) -> Raw:
@@ -207,7 +241,11 @@ def _sqrt(operands: Sequence[Number], kind: Format) -> Raw:
     moved = up_sqrt(a.error)
     if lowest > 0.0:
         moved = min(moved, up_quotient(a.error, lowest))
-    return Raw(real, exact, moved)
+    # |sqrt(1 + e) - 1| <= r / (2 - r) for |e| <= r < 1
+    relative = INFINITY
+    if a.relative < 1.0:
+        relative = up_quotient(a.relative, down_sum(2.0, -a.relative))
+    return Raw(real, exact, moved, relative=relative)
 
 
 def _wave(function: Callable[[Interval], Interval], slope: Callable[[Interval], Interval]) -> Rule:
@@ -294,7 +332,7 @@ def _angle(y: Number, x: Number, radius: float) -> Raw:
         turned = min(turned, up_product(above(PI.hi / 2.0), up_quotient(shift, nearest)))
     on_cut = around_x.lo <= 0.0 and around_y.lo <= 0.0 <= around_y.hi
     moved = min(2.0 * PI.hi if on_cut else turned, real.farthest(exact))
-    return Raw(real, exact, moved, turned, Finish.LIBRARY)
+    return Raw(real, exact, moved, turned, finish=Finish.LIBRARY)
 
 
 def _floor(operands: Sequence[Number], kind: Format) -> Raw:

@@ -10,7 +10,8 @@ import numpy as np
 from symnav import ir
 from symnav.export.rounding.bounds import bounds
 from symnav.export.rounding.formats import Format
-from symnav.export.rounding.search import errors, samples
+from symnav.export.rounding.sampling import samples
+from symnav.export.rounding.search import errors
 
 Op = ir.Operation
 FLOAT, DOUBLE = ir.Scalar.FLOAT, ir.Scalar.DOUBLE

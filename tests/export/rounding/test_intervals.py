@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from fractions import Fraction
 
 import pytest
@@ -23,7 +24,7 @@ def ranges(draw: st.DrawFn, of: st.SearchStrategy[float] = numbers) -> Interval:
     return Interval(*ends)
 
 
-def inside(draw: st.DrawFn, values: Interval) -> Fraction:
+def inside(draw: Callable[[st.SearchStrategy[int]], int], values: Interval) -> Fraction:
     share = Fraction(draw(st.integers(0, 8)), 8)
     return Fraction(values.lo) + share * (Fraction(values.hi) - Fraction(values.lo))
 

@@ -12,7 +12,8 @@ import pytest
 from symnav import ir, pipeline
 from symnav.export.rounding.bounds import bounds
 from symnav.export.rounding.formats import FORMATS
-from symnav.export.rounding.search import can_judge, errors, samples, search
+from symnav.export.rounding.sampling import samples
+from symnav.export.rounding.search import can_judge, errors, search
 from symnav.spec.loading import loads
 from tests.export.rounding.kernels import DOUBLE, FLOAT
 

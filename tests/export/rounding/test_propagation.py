@@ -52,7 +52,7 @@ JUDGE = 1e-12
 def operand(rng: np.random.Generator, low: float, high: float) -> tuple[Number, Number]:
     """A number, and one exact and one computed value of it (as points)."""
     centre, width = rng.uniform(low, high), (high - low) * 10.0 ** rng.uniform(-8.0, 0.0)
-    ends = np.float32([max(low, centre - width), min(high, centre + width)])
+    ends = np.array([max(low, centre - width), min(high, centre + width)], dtype=np.float32)
     real = Interval(float(ends[0]), float(ends[1]))
     error = 0.0 if rng.random() < 0.2 else 10.0 ** rng.uniform(-9.0, -1.0) * (high - low) * 0.02
     whole = Number(real, real.widened(error), error, error)
