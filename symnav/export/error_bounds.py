@@ -17,6 +17,7 @@ from symnav.export.rounding.formats import FORMATS
 
 PATH = "proof/error_bounds.json"
 _DIGITS = 3
+_WIDE = 1e9  # the range of what has none
 
 ASSUMPTIONS = (
     "Inputs are inside their declared ranges, quaternions and matrices pass their guards; the "
@@ -60,7 +61,8 @@ def refuse_beyond(modules: Sequence[ir.Module], tolerance: float | None) -> None
     if tolerance is None:
         return
     beyond = [
-        f"  {module.name}_{function.name}, {output.name}: {upwards(bound)} {unit}".rstrip()
+        f"  {module.name}_{function.name}, {output.name}: "
+        f"{' '.join(word for word in (upwards(bound), unit, _wide(function)) if word)}"
         for module in modules
         for function in module.functions
         if function.role in (ir.Role.MEASUREMENT, ir.Role.CORRECTION)
@@ -74,10 +76,20 @@ def refuse_beyond(modules: Sequence[ir.Module], tolerance: float | None) -> None
 
 
 _ADVICE = (
-    "Declare narrower ranges for what these read (what is not declared may be as large as 1e9), "
-    "use the relative form of an equation, export in double, or accept a larger --tolerance. "
+    "Declare narrower ranges for what these read, use the relative form of an equation, export in double, or accept a larger --tolerance. "
     "Nothing was written."
 )
+
+
+def _wide(function: ir.Function) -> str:
+    """What a function reads that nobody said anything about."""
+    names = [
+        domain.name
+        for argument in function.arguments
+        for domain in argument.domains
+        if domain.kind is ir.Kind.REAL and max(*map(abs, domain.lower + domain.upper)) >= _WIDE
+    ]
+    return f"({', '.join(names)} may be as large as {_WIDE:g})" if names else ""
 
 
 def _head(beyond: Sequence[str], tolerance: float) -> str:

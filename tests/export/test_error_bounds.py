@@ -132,6 +132,16 @@ def test_tolerance_names_every_value_beyond_it_and_writes_nothing(tmp_path: Path
     assert "jacobian" not in text and "retract" not in text and "rover_range" not in text
 
 
+def test_tolerance_names_what_has_no_range(tmp_path: Path) -> None:
+    result = run(
+        "ekf_cal_gps", "--to", str(tmp_path / "a"), "--scalar", "float", "--tolerance", "1"
+    )
+    assert result.exit_code == 2
+    text = " ".join(result.output.split())
+    assert "ekf_cal_gps_f32_gps, residual: 33 m (measured may be as large as 1e+09)" in text
+    assert "gps, value" not in text
+
+
 def test_a_tolerance_that_is_kept_changes_nothing(tmp_path: Path) -> None:
     spec = tmp_path / "lander.toml"
     spec.write_text(NARROW)
