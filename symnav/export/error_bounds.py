@@ -76,8 +76,8 @@ def refuse_beyond(modules: Sequence[ir.Module], tolerance: float | None) -> None
 
 
 _ADVICE = (
-    "Declare narrower ranges for what these read, use the relative form of an equation, export in double, or accept a larger --tolerance. "
-    "Nothing was written."
+    "Declare narrower ranges for what these read, use the relative form of an equation, export in "
+    "double, or accept a larger --tolerance. Nothing was written."
 )
 
 
