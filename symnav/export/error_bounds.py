@@ -140,7 +140,7 @@ def _output(output: ir.Output) -> dict[str, object]:
 def _elements(output: ir.Output) -> Iterator[dict[str, object]]:
     for entry, rounding in zip(output.entries, output.rounding, strict=True):
         yield {
-            "element": entry_label(output, entry),
+            "element": entry_label(output, entry) or output.name,
             "unit": unit_of(output, entry),
             "bound": _number(rounding.bound),
             "bound_where_decisions_agree": _number(rounding.smooth),
