@@ -77,6 +77,16 @@ def test_distance_and_direction(low: float) -> None:
     assert found(one) <= max(r.bound for r in found_bounds)
 
 
+def test_a_direction_turns_as_far_as_its_vector_moves() -> None:
+    """One element is rounded to eighths by a detour over 2^20: the bound is what really happens."""
+    detour = call(Op.SUB, call(Op.ADD, load(1), 2.0**20), 2.0**20)
+    guard = ir.Check("s", squares([load(0), detour]), 0.5, 2.0, 1.0, ir.Status.DOMAIN, "")
+    steps = (guard, ir.Statement("i", call(Op.DIV, 1.0, call(Op.SQRT, ir.Ref("s")))))
+    one = box([1.0, 0.0], [1.001, 0.0625], call(Op.MUL, detour, ir.Ref("i")), steps=steps)
+    assert structure(one).directions
+    assert 0.06 < found(one) <= bound(one) < 1.2 * found(one)
+
+
 def test_distance_is_near_what_is_found() -> None:
     steps, results = distance(1e-12, 1e30)
     one = box([-1e8] * 6, [1e8] * 6, results[0], steps=steps)
