@@ -147,7 +147,7 @@ def errors(
     """|computed - judge| of every entry; zero where a guard failed in either type."""
     kind, wider = TYPES[scalar], WIDER[scalar]
     computed, passed = values(function, arguments, kind, wider)
-    judged, meant = values(function, arguments, wider, np.longdouble)
+    judged, meant = values(function, arguments, wider, wider)
     inside = (passed & meant)[:, None]
     return {
         name: np.where(inside, np.abs(computed[name].astype(wider) - judged[name]), 0.0).astype(
