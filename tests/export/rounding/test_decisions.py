@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import pytest
 
 from symnav import ir
-from symnav.export.rounding.bounds import bounds
+from symnav.export.rounding.bounds import bounds, ranges
+from symnav.export.rounding.cases import cases
+from symnav.export.rounding.evaluation import Evaluator
+from symnav.export.rounding.expressions import trace
+from symnav.export.rounding.formats import FORMATS
+from symnav.export.rounding.structure import Structure
 from tests.export.rounding.kernels import (
     DOUBLE,
     FLOAT,
@@ -66,6 +72,21 @@ def test_series_and_closed_form_meet(threshold: float) -> None:
     one = sinc(threshold)
     assert bound(one) < 20.0 * 2.0**-24
     assert found(one) <= bound(one)
+
+
+def test_cases_leave_no_input_out() -> None:
+    """The pieces a compared range is cut into touch, from one end to the other."""
+    one = sinc(0.01)
+    graph, kind = trace(one), FORMATS[FLOAT]
+    evaluator = Evaluator(graph, Structure(graph, kind), kind, ranges(one, graph, kind))
+    found_cases = list(cases(evaluator, graph.cone(graph.results["value"])))
+    agreed = [case.ranges for case in found_cases if case.agreed]
+    (compared,) = {node for one_case in agreed for node in one_case}
+    pieces = sorted((one_case[compared][0] for one_case in agreed), key=lambda piece: piece.lo)
+    assert len(pieces) > 4
+    assert pieces[0].lo <= 0.0 and pieces[-1].hi >= 9.0
+    assert all(left.hi >= right.lo for left, right in pairwise(pieces))
+    assert len(found_cases) == len(agreed) + 2
 
 
 def test_a_series_that_does_not_meet_the_closed_form_shows() -> None:

@@ -155,16 +155,19 @@ def test_the_guarded_norm_holds_what_the_guard_lets_pass() -> None:
     tolerance = 1e-5
     allowed = squared_norm(tolerance, KIND)
     rng = np.random.default_rng(4)
-    q = rng.normal(size=(400000, 4))
+    q = rng.normal(size=(200000, 4))
     q /= np.linalg.norm(q, axis=1, keepdims=True)
-    scale = np.sqrt(1.0 + tolerance * rng.choice([-1, 1], (400000, 1)) * rng.uniform(0.9, 1.1))
-    for edge in np.linspace(0.99, 1.05, 7):
-        f = (q * np.sqrt(1.0 + edge * (scale**2 - 1.0))).astype(np.float32)
+    excesses = []
+    for share in (-1.04, -1.02, -1.01, -1.0, -0.99, 0.99, 1.0, 1.01, 1.02, 1.04):
+        f = (q * np.sqrt(1.0 + share * tolerance)).astype(np.float32)
         w, x, y, z = f.T
-        excess = ((w * w + x * x) + y * y + z * z) - np.float32(1.0)
-        passed = f[np.abs(excess) <= np.float32(tolerance)].astype(np.float64)
-        exact = np.sum(passed**2, axis=1)
-        assert np.all((exact >= allowed.lo) & (exact <= allowed.hi))
+        computed = ((w * w + x * x) + y * y + z * z) - np.float32(1.0)
+        passed = f[np.abs(computed) <= np.float32(tolerance)].astype(np.float64)
+        excesses.append(np.sum(passed**2, axis=1) - 1.0)
+    found_excess = np.concatenate(excesses)
+    assert allowed.lo - 1.0 <= found_excess.min() and found_excess.max() <= allowed.hi - 1.0
+    # The guard lets pass what is beyond the tolerance by a few roundings, either way.
+    assert found_excess.min() < -1.002 * tolerance and found_excess.max() > 1.002 * tolerance
     assert allowed.hi < 1.0 + tolerance + 1e-6
 
 
