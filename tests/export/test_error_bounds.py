@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 from click.testing import CliRunner
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from symnav import ir, pipeline
@@ -170,6 +170,7 @@ def test_a_refused_export_leaves_an_older_bundle_alone(tmp_path: Path) -> None:
     assert {p: p.read_bytes() for p in tmp_path.rglob("*") if p.is_file()} == before
 
 
+@settings(max_examples=100, deadline=None)
 @given(st.floats(1e-300, 1e300), st.integers(1, 4))
 def test_printed_bounds_are_never_smaller(value: float, digits: int) -> None:
     shown = float(upwards(value, digits))

@@ -8,7 +8,7 @@ from fractions import Fraction
 
 import pytest
 from flint import arb
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from mpmath import mp
 
@@ -29,6 +29,7 @@ def inside(draw: Callable[[st.SearchStrategy[int]], int], values: Interval) -> F
     return Fraction(values.lo) + share * (Fraction(values.hi) - Fraction(values.lo))
 
 
+@settings(max_examples=100, deadline=None)
 @given(st.data())
 def test_arithmetic_encloses_every_exact_result(data: st.DataObject) -> None:
     a, b = data.draw(ranges()), data.draw(ranges())
@@ -52,6 +53,7 @@ def holds(values: Interval, exact: Fraction) -> bool:
     return above and (math.isinf(values.hi) or exact <= Fraction(values.hi))
 
 
+@settings(max_examples=100, deadline=None)
 @given(st.floats(0.0, 1e300))
 def test_square_roots_enclose(value: float) -> None:
     root = point(value).sqrt()
@@ -79,6 +81,7 @@ def test_overflow_and_infinity() -> None:
     assert (point(1.0) / Interval(0.0, 2.0)) == Interval(0.5, math.inf)
 
 
+@settings(max_examples=100, deadline=None)
 @given(st.data())
 def test_waves_enclose(data: st.DataObject) -> None:
     values = data.draw(ranges(st.floats(-50.0, 50.0)))
@@ -101,6 +104,7 @@ def test_waves_are_sharp_at_their_extremes() -> None:
     assert intervals.sine(Interval(-1.6, -1.5)).lo == -1.0
 
 
+@settings(max_examples=100, deadline=None)
 @given(st.data())
 def test_angles_enclose(data: st.DataObject) -> None:
     y, x = (data.draw(ranges(st.floats(-10.0, 10.0, allow_subnormal=False))) for _ in range(2))
@@ -132,6 +136,7 @@ def test_nothing_in_common() -> None:
         Interval(-2.0, -1.0).sqrt()
 
 
+@settings(max_examples=100, deadline=None)
 @given(st.data())
 def test_distances_are_not_underestimated(data: st.DataObject) -> None:
     a, b = data.draw(ranges()), data.draw(ranges())
