@@ -1,8 +1,8 @@
 """Writes the reference pages from what they document, so that they cannot disagree with it.
 
 Before Sphinx looks for pages, ``_generated/`` receives the keys of a specification (from the
-published JSON Schema), the model library (from its declarations) and the command line (from its
-help texts).
+published JSON Schema), the model library (from its declarations), the command line (from its
+help texts) and the table of rounding bounds (computed).
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import click
+import rounding_table
 from sphinx.application import Sphinx
 
 from symnav.cli import main
@@ -49,6 +50,7 @@ def write_pages() -> None:
         "specification.md": lambda: specification(json_schema()),
         "library.md": lambda: model_library(library()),
         "command_line.md": command_line,
+        "rounding_table.md": lambda: table(rounding_table.HEADINGS, rounding_table.rows()),
     }
     FOLDER.mkdir(exist_ok=True)
     for name, page in pages.items():

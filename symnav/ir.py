@@ -235,6 +235,22 @@ class Section:
 
 
 @dataclass(frozen=True, slots=True)
+class Rounding:
+    """What rounding can do to one entry of an output, over the declared ranges of the inputs.
+
+    Attributes:
+        bound: on |computed - exact|.
+        smooth: the same without those inputs where rounding decides a comparison or a floor the
+            other way; equal to ``bound`` where nothing is decided.
+        largest: bound on |computed|.
+    """
+
+    bound: float
+    smooth: float
+    largest: float
+
+
+@dataclass(frozen=True, slots=True)
 class Output:
     """A result of a generated function.
 
@@ -249,6 +265,7 @@ class Output:
         unit: SI symbol of the value; empty for a Jacobian (its sections hold the units).
         frame: as for ``Domain``.
         description: one sentence.
+        rounding: of every entry; empty where it was not asked for.
     """
 
     name: str
@@ -260,6 +277,7 @@ class Output:
     unit: str
     frame: str
     description: str
+    rounding: tuple[Rounding, ...] = ()
 
 
 class Role(StrEnum):

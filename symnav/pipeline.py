@@ -280,19 +280,26 @@ def export(
 
     Raises:
         HandEditedError: when files of the bundle there were changed by hand.
-        InputError: when the folder there is no bundle.
+        InputError: when the folder there is no bundle, or a value may err by more than the
+            tolerance.
     """
     from symnav import ir
     from symnav.emit import writing
     from symnav.export import Bundle, Options, assemble
+    from symnav.export.error_bounds import refuse_beyond, with_bounds
     from symnav.lower.module import digest
 
     if not force:
         writing.protect(folder)
     progress("derive")
     derived = derive(spec)
+    progress("lower")
+    modules = _modules(spec, derived, ir.Scalar(scalar))
+    progress("bound")
+    modules = [with_bounds(module) for module in modules]
+    refuse_beyond(modules, tolerance)
     progress("emit")
-    trees = _trees(spec, derived, ir.Scalar(scalar))
+    trees = tuple(_tree(module) for module in modules)
     derivations = (*derived.layout, *derived.entries)
     bundle = Bundle(spec, derivations, trees, Options(ir.Scalar(scalar), tolerance))
     text = assemble(bundle)
@@ -303,25 +310,26 @@ def export(
     return Exported(folder, written, not written)
 
 
-def _trees(spec: Spec, derived: Derived, scalar: ir.Scalar) -> tuple[Tree, ...]:
-    """The C of a bundle: one tree, and one more for what must be double in single precision."""
+def _modules(spec: Spec, derived: Derived, scalar: ir.Scalar) -> list[ir.Module]:
+    """What a bundle holds: one module, in single precision a second of what must be double."""
     from symnav import ir
-    from symnav.emit import c
-    from symnav.export import Tree
     from symnav.lower.module import module
 
     functions = c_route(spec, derived)
-    modules = [module(spec, functions)]
-    if scalar is ir.Scalar.FLOAT:
-        wide = {e.name for e in spec.entries if e.model.always_double}
-        single = _in_float(spec)
-        kept = tuple(f for f in functions if f.name in wide)
-        modules = [module(single, functions, scalar)]
-        modules += [module(spec, kept)] if kept else []
-    return tuple(
-        Tree(one, {path.removeprefix("c/"): text for path, text in c.emit(one).items()})
-        for one in modules
-    )
+    if scalar is ir.Scalar.DOUBLE:
+        return [module(spec, functions)]
+    wide = {e.name for e in spec.entries if e.model.always_double}
+    kept = tuple(f for f in functions if f.name in wide)
+    single = module(_in_float(spec), functions, scalar)
+    return [single, module(spec, kept)] if kept else [single]
+
+
+def _tree(module: ir.Module) -> Tree:
+    """The C of a module."""
+    from symnav.emit import c
+    from symnav.export import Tree
+
+    return Tree(module, {path.removeprefix("c/"): text for path, text in c.emit(module).items()})
 
 
 def _in_float(spec: Spec) -> Spec:

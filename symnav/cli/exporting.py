@@ -38,7 +38,8 @@ Examples:
     type=click.FloatRange(min=0.0, min_open=True),
     default=None,
     metavar="NUMBER",
-    help="Refuse when rounding can move a value by more than this, in the value's unit.",
+    help="Refuse when rounding can move a value of a measurement or correction by more than this, "
+    "in the value's unit; Jacobians do not count.",
 )
 @click.option("--force", is_flag=True, help="Write over changes made by hand.")
 def export(

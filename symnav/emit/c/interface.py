@@ -9,6 +9,7 @@ from math import prod
 from symnav import ir
 from symnav.emit.c.kernel import Kernel
 from symnav.emit.c.pieces import Parameter
+from symnav.emit.c.rounding import rounding_text
 from symnav.emit.c.store import is_jacobian, layout_of
 
 EPOCHS = Parameter("int32_t epochs", "epochs", False, "in", "Number of epochs.")
@@ -218,7 +219,10 @@ class Interface:
             ).strides[-1]
             order = f", by column ({leading} from one to the next)" if by_column else ", by row"
         unit = "" if output.unit in ("", "1") else f"{output.unit}{_in(output.frame)}: "
-        return f"{shape}{unit}{output.description.rstrip('.')}{order}."
+        roundoff = self.kernel.target.unit_roundoff
+        rounding = rounding_text(output, roundoff, differenced=bool(fewer))
+        said = f"{output.description.rstrip('.')}{order}"
+        return f"{shape}{unit}{said}{'; ' if rounding else ''}{rounding}."
 
     def _stack(self, output: ir.Output) -> str:
         lengths = ["epochs"]

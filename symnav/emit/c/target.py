@@ -35,6 +35,11 @@ class Target:
         """Name of the status type."""
         return f"{self.prefix}_status_t"
 
+    @property
+    def unit_roundoff(self) -> float:
+        """Largest relative error of a rounding."""
+        return 2.0**-24 if self.scalar is ir.Scalar.FLOAT else 2.0**-53
+
     def literal(self, value: float) -> str:
         """A number in this type."""
         return literals.literal(value, self.scalar)

@@ -1,0 +1,192 @@
+"""What a bundle says about its rounding errors, and the tolerance that refuses."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+from click.testing import CliRunner
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from symnav import ir, pipeline
+from symnav.cli import main
+from symnav.emit.c.rounding import rounding_text, upwards
+from symnav.errors import InputError
+
+NARROW = """
+name = "lander"
+[[frame]]
+name = "n"
+axes = "ned"
+[[state]]
+name = "position"
+kind = "vector"
+size = 3
+unit = "m"
+frame = "n"
+range = [-1000.0, 1000.0]
+[[state]]
+name = "attitude"
+kind = "rotation"
+maps = "b -> n"
+[[measurement]]
+name = "gps"
+model = "gnss_position"
+position = "position"
+attitude = "attitude"
+lever_arm = [0.5, 0.0, -0.2]
+"""
+
+
+def exported(model: str, folder: Path, scalar: str) -> tuple[dict[str, Any], str]:
+    """The record of the bounds, and the text of every header."""
+    pipeline.export(pipeline.load(model), folder, scalar=scalar)
+    record = json.loads((folder / "proof" / "error_bounds.json").read_text())
+    headers = "\n".join(p.read_text() for p in sorted(folder.glob("include/*/*.h")))
+    return record, " ".join(re.sub(r"\n \*", " ", headers).split())
+
+
+def output_of(record: dict[str, Any], function: str, output: str) -> dict[str, Any]:
+    found = [
+        out
+        for tree in record["trees"]
+        for one in tree["functions"]
+        if one["function"] == function
+        for out in one["outputs"]
+        if out["output"] == output
+    ]
+    assert len(found) == 1
+    return dict(found[0])
+
+
+def test_record_and_header_say_the_same(tmp_path: Path) -> None:
+    record, header = exported("rover", tmp_path, "float")
+    position = output_of(record, "rover_f32_gps", "value")
+    assert position["unit"] == "m" and 0.0039 < position["bound"] < 0.004
+    assert f"rounding error at most {upwards(position['bound'])} m over the declared" in header
+    jacobian = output_of(record, "rover_f32_gps", "jacobian")
+    worst = upwards(jacobian["bound"])
+    assert f"by row; rounding error at most {worst} in any element over the declared" in header
+    assert len(jacobian["elements"]) == 21
+    assert max(e["bound"] for e in jacobian["elements"]) == jacobian["bound"]
+    labels = [element["element"] for element in jacobian["elements"]]
+    assert labels[:2] == ["value x, position x", "value x, attitude x"]
+    assert [tree["type"] for tree in record["trees"]] == ["float", "double"]
+    assert output_of(record, "rover_range", "value")["bound"] < 1e-6
+    assert any("nearest" in text for text in record["assumptions"])
+
+
+def test_units_of_a_state_are_told_apart(tmp_path: Path) -> None:
+    record, header = exported("rover", tmp_path, "double")
+    elements = output_of(record, "rover_local", "value")["elements"]
+    units = {element["element"]: element["unit"] for element in elements}
+    assert units["position x"] == "m" and units["attitude z"] == "rad"
+    jump = next(e for e in elements if e["element"] == "attitude x")
+    assert jump["bound"] > 6.28 and jump["bound_where_decisions_agree"] < 1e-13
+    assert "rad (6.3 rad where rounding decides a comparison) in attitude" in header
+
+
+def test_differences_of_rows_have_bounds_of_their_own(tmp_path: Path) -> None:
+    record, header = exported("farrell_tightly_coupled", tmp_path, "double")
+    row = output_of(record, "farrell_tightly_coupled_pseudorange", "value")["bound"]
+    said = re.findall(r"value +\[n - 1\] m: [^;]*; rounding error at most (\S+) m", header)
+    assert said and all(2.0 * row < float(number) < 3.0 * row for number in said)
+
+
+def test_packages_say_nothing_about_rounding(tmp_path: Path) -> None:
+    package = pipeline.generate(pipeline.load("rover"), tmp_path).package
+    header = (package / "c" / "include" / "rover" / "rover.h").read_text()
+    assert "rounding error" not in header
+
+
+def test_every_output_of_every_bundle_is_recorded(tmp_path: Path) -> None:
+    for model in ("reference_relative", "warpos_gps"):
+        record, _ = exported(model, tmp_path / model, "double")
+        for tree in record["trees"]:
+            for function in tree["functions"]:
+                assert function["outputs"]
+                for output in function["outputs"]:
+                    assert output["bound"] is not None and math.isfinite(output["bound"])
+
+
+def run(*arguments: str) -> Any:
+    return CliRunner().invoke(main, ["export", *arguments])
+
+
+def test_tolerance_names_every_value_beyond_it_and_writes_nothing(tmp_path: Path) -> None:
+    folder = tmp_path / "bundle"
+    result = run("rover", "--to", str(folder), "--scalar", "float", "--tolerance", "0.001")
+    assert result.exit_code == 2
+    assert not folder.exists()
+    text = " ".join(result.output.split())
+    assert "rover_f32_gps, value: 0.004 m" in text
+    assert "rover_f32_imu, value: " in text and "m/s^2" in text
+    for remedy in ("narrower ranges", "relative form", "double"):
+        assert remedy in text
+    # Jacobians, and what the user has no say in, do not count; the range is in double.
+    assert "jacobian" not in text and "retract" not in text and "rover_range" not in text
+
+
+def test_tolerance_names_what_has_no_range(tmp_path: Path) -> None:
+    result = run(
+        "ekf_cal_gps", "--to", str(tmp_path / "a"), "--scalar", "float", "--tolerance", "1"
+    )
+    assert result.exit_code == 2
+    text = " ".join(result.output.split())
+    assert "ekf_cal_gps_f32_gps, residual: 33 m (measured may be as large as 1e+09)" in text
+    assert "gps, value" not in text
+
+
+def test_a_tolerance_that_is_kept_changes_nothing(tmp_path: Path) -> None:
+    spec = tmp_path / "lander.toml"
+    spec.write_text(NARROW)
+    result = run(str(spec), "--to", str(tmp_path / "a"), "--scalar", "float", "--tolerance", "1e-4")
+    assert result.exit_code == 0, result.output
+    again = run(str(spec), "--to", str(tmp_path / "b"), "--scalar", "float")
+    assert again.exit_code == 0
+    for path in (tmp_path / "a").rglob("*"):
+        if path.is_file():
+            assert (
+                path.read_bytes()
+                == (tmp_path / "b" / path.relative_to(tmp_path / "a")).read_bytes()
+            )
+    refused = run(
+        str(spec), "--to", str(tmp_path / "c"), "--scalar", "float", "--tolerance", "1e-5"
+    )
+    assert refused.exit_code == 2 and not (tmp_path / "c").exists()
+
+
+def test_a_refused_export_leaves_an_older_bundle_alone(tmp_path: Path) -> None:
+    spec = pipeline.load("rover")
+    pipeline.export(spec, tmp_path, scalar="float")
+    before = {p: p.read_bytes() for p in tmp_path.rglob("*") if p.is_file()}
+    with pytest.raises(InputError, match="tolerance of 1e-06"):
+        pipeline.export(spec, tmp_path, scalar="float", tolerance=1e-6)
+    assert {p: p.read_bytes() for p in tmp_path.rglob("*") if p.is_file()} == before
+
+
+@settings(max_examples=100, deadline=None)
+@given(st.floats(1e-300, 1e300), st.integers(1, 4))
+def test_printed_bounds_are_never_smaller(value: float, digits: int) -> None:
+    shown = float(upwards(value, digits))
+    assert value <= shown <= value * (1.0 + 10.0 ** (1 - digits) * 1.001)
+
+
+def test_text_of_special_cases() -> None:
+    def output(*rounding: ir.Rounding, name: str = "value") -> ir.Output:
+        entries = tuple(ir.Entry((k,), ir.Number(0.0)) for k in range(len(rounding)))
+        rows = (ir.Section("value", 0, len(rounding), "m", ("",) * len(rounding)),)
+        shape = (len(rounding),)
+        return ir.Output(name, shape, False, entries, rows, (), "m", "", "", rounding)
+
+    assert rounding_text(output(), 0.5) == ""
+    assert rounding_text(output(ir.Rounding(0.0, 0.0, 1.0)), 0.5) == "free of rounding errors"
+    unbounded = rounding_text(output(ir.Rounding(math.inf, math.inf, 1.0)), 0.5)
+    assert "(no bound)" in unbounded
+    jump = rounding_text(output(ir.Rounding(5.0, 0.0, 5.0)), 0.5)
+    assert jump.startswith("rounding error at most 0 m (5 m where rounding decides")
