@@ -54,17 +54,14 @@ def emit(module: ir.Module) -> dict[str, str]:
     target = target_of(module)
     for function in module.functions:
         refuse_slots_beyond(function)
-    kernels = [
-        Kernel(target, with_free_names(function), f"{target.prefix}_{function.name}")
-        for function in module.functions
-    ]
-    sources = [_source_of(kernel) for kernel in kernels]
-    sections = [Section(source.kernel, source.entry_points()) for source in sources]
-    _refuse_collisions(sections)
+    sources = _sources(module, target)
+    kernels = [source.kernel for source in sources]
+    described = [Section(source.kernel, source.entry_points()) for source in sources]
+    _refuse_collisions(described)
     include, src = f"c/include/{target.prefix}", "c/src"
     files = {
         f"{include}/{target.prefix}_types.h": types_header(module, target),
-        f"{include}/{target.prefix}.h": functions_header(module, target, sections),
+        f"{include}/{target.prefix}.h": functions_header(module, target, described),
         f"{src}/{target.prefix}_check.h": _check_header(module, target, kernels),
     }
     for source in sources:
@@ -73,6 +70,20 @@ def emit(module: ir.Module) -> dict[str, str]:
         lead = banner(module, f"{symbol}.c", f"{title}: entry points.")
         files[f"{src}/{symbol}.c"] = source.source(lead)
     return {path: fitted(text) for path, text in files.items()}
+
+
+def sections(module: ir.Module) -> tuple[Section, ...]:
+    """What the header says about every function of a module: its constants and entry points."""
+    found = _sources(module, target_of(module))
+    return tuple(Section(source.kernel, source.entry_points()) for source in found)
+
+
+def _sources(module: ir.Module, target: Target) -> list[Single | Mapped | Differenced]:
+    """What writes the source file of every function."""
+    return [
+        _source_of(Kernel(target, with_free_names(function), f"{target.prefix}_{function.name}"))
+        for function in module.functions
+    ]
 
 
 def _source_of(kernel: Kernel) -> Single | Mapped | Differenced:
@@ -115,9 +126,9 @@ def _check_header(module: ir.Module, target: Target, kernels: Sequence[Kernel]) 
     )
 
 
-def _refuse_collisions(sections: Sequence[Section]) -> None:
+def _refuse_collisions(described: Sequence[Section]) -> None:
     """Two entry points of one name would be one function to the linker."""
-    counter = Counter(entry.symbol for section in sections for entry in section.entries)
+    counter = Counter(entry.symbol for section in described for entry in section.entries)
     repeated = sorted(symbol for symbol, count in counter.items() if count > 1)
     if repeated:
         raise errors.InputError(
