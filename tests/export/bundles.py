@@ -1,0 +1,72 @@
+"""Bundles as a user gets them: exported once for each model and scalar type."""
+
+from __future__ import annotations
+
+import functools
+import os
+import subprocess
+import tempfile
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+import pytest
+
+from symnav import ir, pipeline
+from symnav.export import Bundle, Options
+
+MODELS = tuple(name for name, _ in pipeline.shipped())
+QUICK = (("warpos_gps", "double"), ("rover", "float"))
+ALL = tuple((model, scalar) for model in MODELS for scalar in ("double", "float"))
+SLOW = tuple(case for case in ALL if case not in QUICK)
+
+_FOLDER = tempfile.TemporaryDirectory(prefix="bundles-")
+
+
+def cases() -> list[object]:
+    """Two bundles in every run, the others in the slow one."""
+    quick = [pytest.param(*case, id="-".join(case)) for case in QUICK]
+    slow = [pytest.param(*case, id="-".join(case), marks=pytest.mark.slow) for case in SLOW]
+    return [*quick, *slow]
+
+
+@functools.cache
+def bundle_of(model: str, scalar: str) -> Path:
+    """A folder with the bundle of a shipped model; to be read, not written."""
+    folder = Path(_FOLDER.name) / f"{model}-{scalar}"
+    pipeline.export(pipeline.load(model), folder, scalar=scalar)
+    return folder
+
+
+@functools.cache
+def records_of(model: str, scalar: str) -> Bundle:
+    """What the bundle was assembled from."""
+    spec = pipeline.load(model)
+    derived = pipeline.derive(spec)
+    trees = pipeline._trees(spec, derived, ir.Scalar(scalar))
+    derivations = (*derived.layout, *derived.entries)
+    return Bundle(spec, derivations, trees, Options(ir.Scalar(scalar)))
+
+
+def files(folder: Path) -> dict[str, bytes]:
+    """Content by path."""
+    return {
+        path.relative_to(folder).as_posix(): path.read_bytes()
+        for path in sorted(folder.rglob("*"))
+        if path.is_file()
+    }
+
+
+def run(
+    words: Sequence[str | Path], folder: Path, environment: Mapping[str, str] | None = None
+) -> str:
+    """The output of a command that must end well."""
+    done = subprocess.run(
+        [str(word) for word in words],
+        cwd=folder,
+        env={**os.environ, **(environment or {})},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, f"{words}\n{done.stdout}\n{done.stderr}"
+    return done.stdout
