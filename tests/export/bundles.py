@@ -15,18 +15,16 @@ from symnav import ir, pipeline
 from symnav.export import Bundle, Options
 
 MODELS = tuple(name for name, _ in pipeline.shipped())
-QUICK = (("warpos_gps", "double"), ("rover", "float"))
+QUICK = (("reference_relative", "double"), ("rover", "float"))
 ALL = tuple((model, scalar) for model in MODELS for scalar in ("double", "float"))
-SLOW = tuple(case for case in ALL if case not in QUICK)
 
 _FOLDER = tempfile.TemporaryDirectory(prefix="bundles-")
 
 
-def cases() -> list[object]:
-    """Two bundles in every run, the others in the slow one."""
-    quick = [pytest.param(*case, id="-".join(case)) for case in QUICK]
-    slow = [pytest.param(*case, id="-".join(case), marks=pytest.mark.slow) for case in SLOW]
-    return [*quick, *slow]
+def cases(quick: Sequence[tuple[str, str]] = QUICK) -> list[object]:
+    """Some bundles in every run, the others in the slow one."""
+    slow = {case: () if case in quick else (pytest.mark.slow,) for case in ALL}
+    return [pytest.param(*case, id="-".join(case), marks=marks) for case, marks in slow.items()]
 
 
 @functools.cache
