@@ -114,7 +114,9 @@ def test_glue_builds(model: str, scalar: str, framework: str, tmp_path: Path) ->
     (tmp_path / "cfe").mkdir()
     (tmp_path / "cfe/cfe.h").write_text(CFE_H)
     (option,) = re.findall(r"^config (\w+)$", (bundle / "zephyr/Kconfig").read_text(), re.MULTILINE)
-    glue = FRAMEWORKS[framework].replace("@NAME@", name).replace("CONFIG_OPTION", f"CONFIG_{option}")
+    glue = (
+        FRAMEWORKS[framework].replace("@NAME@", name).replace("CONFIG_OPTION", f"CONFIG_{option}")
+    )
     library = f"{name}_lib" if framework == "cfs" else name
     (tmp_path / "CMakeLists.txt").write_text(HEAD + glue + TAIL.format(library=library))
     run(["cmake", "-S", ".", "-B", "out"], tmp_path)

@@ -14,7 +14,9 @@ import re
 import shutil
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from math import prod
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -89,35 +91,34 @@ class Machine:
     def call(self, tree: Tree, section: Section) -> tuple[ir.Status, dict[str, list[float]]]:
         """Status of the call, or of its only item, and the outputs."""
         entry, function = section.entries[0], section.kernel.function
-        real = ctypes.c_double if tree.module.scalar is ir.Scalar.DOUBLE else ctypes.c_float
+        real: Any = ctypes.c_double if tree.module.scalar is ir.Scalar.DOUBLE else ctypes.c_float
         given = {a.name: a for a in function.arguments}
         items = function.maximum or 1
-        arguments: list[object] = []
-        outputs = {}
+        passed: dict[str, Any] = {}
         for parameter in entry.parameters:
-            if parameter.name in given:
-                argument = given[parameter.name]
-                kind = ctypes.c_int32 if argument.integer else real
-                values = values_of(argument)
-                arguments.append(
-                    (kind * len(values))(*(kind(v if kind is real else int(v)) for v in values))
-                )
-            elif parameter.name == "n":
-                arguments.append(ctypes.c_int32(1))
-            elif parameter.name == "item_status":
-                outputs[parameter.name] = (ctypes.c_uint8 * items)()
-                arguments.append(outputs[parameter.name])
+            name = parameter.name
+            if name in given:
+                passed[name] = array(real, given[name])
+            elif name == "n":
+                passed[name] = ctypes.c_int32(1)
+            elif name == "item_status":
+                passed[name] = (ctypes.c_uint8 * items)()
             else:
-                output = next(o for o in function.outputs if o.name == parameter.name)
-                size = 1
-                for length in output.shape:
-                    size *= length
-                outputs[parameter.name] = (real * (size * items))()
-                arguments.append(outputs[parameter.name])
-        status = ir.Status(getattr(self.library, entry.symbol)(*arguments))
+                shape = next(o.shape for o in function.outputs if o.name == name)
+                passed[name] = (real * (prod(shape) * items))()
+        status = ir.Status(getattr(self.library, entry.symbol)(*passed.values()))
         if status is ir.Status.PARTIAL:
-            status = ir.Status(outputs["item_status"][0])
-        return status, {name: list(values) for name, values in outputs.items()}
+            status = ir.Status(passed["item_status"][0])
+        results = [p.name for p in entry.parameters if p.direction == "out"]
+        return status, {name: list(passed[name]) for name in results}
+
+
+def array(real: Any, argument: ir.Argument) -> Any:
+    """An argument of one item, inside its ranges."""
+    values = values_of(argument)
+    if argument.integer:
+        return (ctypes.c_int32 * len(values))(*(int(value) for value in values))
+    return (real * len(values))(*values)
 
 
 def place(row: Row, function: ir.Function) -> tuple[str, int]:
