@@ -21,7 +21,8 @@ WARNINGS = (
     *("-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wconversion", "-Wsign-conversion"),
     *("-Wfloat-conversion", "-Wdouble-promotion", "-Wstrict-prototypes", "-Wmissing-prototypes"),
     *("-Wundef", "-Wcast-qual", "-Wcast-align", "-Wwrite-strings", "-Wvla", "-Werror"),
-    "-Wno-pass-failed",  # Clang calls a loop it does not vectorise a warning; it is slower, not wrong
+    # Clang warns of a loop it does not vectorise, which is slower and not wrong.
+    "-Wno-pass-failed",
 )
 """What ``make check`` adds."""
 

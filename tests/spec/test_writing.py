@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Mapping
 from typing import Any
 
 import pytest
@@ -31,7 +30,7 @@ def test_shipped_specifications_read_back(model: str) -> None:
 
 
 def test_order_of_keys_does_not_matter_but_that_of_states_does() -> None:
-    rows: list[Mapping[str, Any]] = [
+    rows: list[dict[str, Any]] = [
         {"name": "b", "kind": "scalar"},
         {"kind": "scalar", "name": "a"},
     ]
