@@ -21,10 +21,12 @@ ALL = tuple((model, scalar) for model in MODELS for scalar in ("double", "float"
 _FOLDER = tempfile.TemporaryDirectory(prefix="bundles-")
 
 
-def cases(quick: Sequence[tuple[str, str]] = QUICK) -> list[object]:
-    """Some bundles in every run, the others in the slow one."""
-    slow = {case: () if case in quick else (pytest.mark.slow,) for case in ALL}
-    return [pytest.param(*case, id="-".join(case), marks=marks) for case, marks in slow.items()]
+def cases(
+    quick: Sequence[tuple[str, str]] = QUICK, slow: Sequence[tuple[str, str]] = ALL
+) -> list[object]:
+    """Some bundles in every run, others in the slow one."""
+    marks = {case: (pytest.mark.slow,) for case in slow} | {case: () for case in quick}
+    return [pytest.param(*case, id="-".join(case), marks=mark) for case, mark in marks.items()]
 
 
 @functools.cache

@@ -99,7 +99,7 @@ def test_other_compilers(model: str, scalar: str, compiler: str, bundle: Path) -
 
 
 @needs_make
-@pytest.mark.parametrize(("model", "scalar"), cases(ONE))
+@pytest.mark.parametrize(("model", "scalar"), cases(ONE, ()))
 def test_a_warning_fails_the_check(model: str, scalar: str, bundle: Path) -> None:
     source = sorted((bundle / "src").glob("*.c"))[0]
     source.write_text(source.read_text() + "\nstatic int unused;\n")
@@ -110,7 +110,7 @@ def test_a_warning_fails_the_check(model: str, scalar: str, bundle: Path) -> Non
 
 
 @needs_make
-@pytest.mark.parametrize(("model", "scalar"), cases(ONE))
+@pytest.mark.parametrize(("model", "scalar"), cases(ONE, ()))
 def test_a_failed_test_program_fails_the_check(model: str, scalar: str, bundle: Path) -> None:
     (bundle / "test").mkdir(exist_ok=True)
     for code in (0, 1):
@@ -138,7 +138,7 @@ def test_headers_and_sources_are_cpp_as_well(model: str, scalar: str, bundle: Pa
 
 
 @needs_cmake
-@pytest.mark.parametrize(("model", "scalar"), cases(ONE))
+@pytest.mark.parametrize(("model", "scalar"), cases(ONE, QUICK))
 @pytest.mark.parametrize("language", ["C", "CXX"])
 def test_add_subdirectory(
     model: str, scalar: str, language: str, bundle: Path, tmp_path: Path
@@ -158,7 +158,7 @@ def test_add_subdirectory(
 
 
 @needs_cmake
-@pytest.mark.parametrize(("model", "scalar"), cases())
+@pytest.mark.parametrize(("model", "scalar"), cases(ONE, QUICK))
 def test_find_package_and_ctest(model: str, scalar: str, bundle: Path, tmp_path: Path) -> None:
     name = records_of(model, scalar).name
     (bundle / "test").mkdir(exist_ok=True)
@@ -192,7 +192,7 @@ def by_pkg_config(name: str, folder: Path) -> str:
 
 @needs_make
 @needs_pkg_config
-@pytest.mark.parametrize(("model", "scalar"), cases(ONE))
+@pytest.mark.parametrize(("model", "scalar"), cases(ONE, QUICK))
 def test_make_install_and_pkg_config(model: str, scalar: str, bundle: Path, tmp_path: Path) -> None:
     run(["make", "-s", "install", f"PREFIX={tmp_path / 'prefix'}"], bundle)
     shutil.copy(bundle / documents.EXAMPLE, tmp_path / "main.c")

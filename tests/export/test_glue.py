@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 
 from symnav.export import building, documents
-from tests.export.bundles import bundle_of, cases, records_of, run
+from tests.export.bundles import QUICK, bundle_of, cases, records_of, run
 
 pytestmark = pytest.mark.skipif(shutil.which("cmake") is None, reason="needs cmake")
 
@@ -106,7 +106,7 @@ FRAMEWORKS = {
 
 
 @pytest.mark.parametrize("framework", FRAMEWORKS)
-@pytest.mark.parametrize(("model", "scalar"), cases([("rover", "float")]))
+@pytest.mark.parametrize(("model", "scalar"), cases(QUICK[1:], ()))
 def test_glue_builds(model: str, scalar: str, framework: str, tmp_path: Path) -> None:
     name = records_of(model, scalar).name
     bundle = shutil.copytree(bundle_of(model, scalar), tmp_path / "libs/bundle")
@@ -127,7 +127,7 @@ def test_glue_builds(model: str, scalar: str, framework: str, tmp_path: Path) ->
     assert expected <= compiled
 
 
-@pytest.mark.parametrize(("model", "scalar"), cases([("rover", "float")]))
+@pytest.mark.parametrize(("model", "scalar"), cases(QUICK[1:], ()))
 def test_cfs_start_up_line_names_a_symbol(model: str, scalar: str, tmp_path: Path) -> None:
     bundle, name = bundle_of(model, scalar), records_of(model, scalar).name
     kind, module, symbol, *_ = (bundle / "cfs/cfe_es_startup.scr").read_text().split(", ")
@@ -139,7 +139,7 @@ def test_cfs_start_up_line_names_a_symbol(model: str, scalar: str, tmp_path: Pat
     assert f" T {symbol}\n" in run(["nm", "lib.o"], tmp_path)
 
 
-@pytest.mark.parametrize(("model", "scalar"), cases([("rover", "float")]))
+@pytest.mark.parametrize(("model", "scalar"), cases(QUICK[1:], ()))
 def test_manifests_of_frameworks(model: str, scalar: str) -> None:
     bundle, record = bundle_of(model, scalar), records_of(model, scalar)
     platformio = json.loads((bundle / "library.json").read_text())
@@ -155,7 +155,7 @@ def test_manifests_of_frameworks(model: str, scalar: str) -> None:
     assert f'version: "{building.version()}"' in component
 
 
-@pytest.mark.parametrize(("model", "scalar"), cases([("rover", "float")]))
+@pytest.mark.parametrize(("model", "scalar"), cases(QUICK[1:], ()))
 def test_arduino_layout(model: str, scalar: str, tmp_path: Path) -> None:
     """Only ``src`` of the library is on the include path, and everything below it is compiled."""
     name = records_of(model, scalar).name
@@ -173,7 +173,7 @@ def test_arduino_layout(model: str, scalar: str, tmp_path: Path) -> None:
     assert "value[0] = " in run(["./x"], tmp_path)
 
 
-@pytest.mark.parametrize(("model", "scalar"), cases([("rover", "float")]))
+@pytest.mark.parametrize(("model", "scalar"), cases(QUICK[1:], ()))
 def test_glue_copies_no_source(model: str, scalar: str) -> None:
     """Five to ten lines each, apart from the list of sources."""
     bundle, name = bundle_of(model, scalar), records_of(model, scalar).name

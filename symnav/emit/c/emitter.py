@@ -52,9 +52,7 @@ def emit(module: ir.Module) -> dict[str, str]:
             slot reaches beyond what it addresses.
     """
     target = target_of(module)
-    for function in module.functions:
-        refuse_slots_beyond(function)
-    sources = _sources(module, target)
+    sources = _sources_of(module, target)
     kernels = [source.kernel for source in sources]
     described = [Section(source.kernel, source.entry_points()) for source in sources]
     _refuse_collisions(described)
@@ -73,13 +71,14 @@ def emit(module: ir.Module) -> dict[str, str]:
 
 
 def sections(module: ir.Module) -> tuple[Section, ...]:
-    """What the header says about every function of a module: its constants and entry points."""
-    found = _sources(module, target_of(module))
-    return tuple(Section(source.kernel, source.entry_points()) for source in found)
+    """Every function of a module with its entry points, in the order of the header."""
+    sources = _sources_of(module, target_of(module))
+    return tuple(Section(source.kernel, source.entry_points()) for source in sources)
 
 
-def _sources(module: ir.Module, target: Target) -> list[Single | Mapped | Differenced]:
-    """What writes the source file of every function."""
+def _sources_of(module: ir.Module, target: Target) -> list[Single | Mapped | Differenced]:
+    for function in module.functions:
+        refuse_slots_beyond(function)
     return [
         _source_of(Kernel(target, with_free_names(function), f"{target.prefix}_{function.name}"))
         for function in module.functions
