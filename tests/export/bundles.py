@@ -25,7 +25,7 @@ def cases(
     quick: Sequence[tuple[str, str]] = QUICK, slow: Sequence[tuple[str, str]] = ALL
 ) -> list[object]:
     """Some bundles in every run, others in the slow one."""
-    marks = {case: (pytest.mark.slow,) for case in slow} | {case: () for case in quick}
+    marks = dict.fromkeys(slow, (pytest.mark.slow,)) | dict.fromkeys(quick, ())
     return [pytest.param(*case, id="-".join(case), marks=mark) for case, mark in marks.items()]
 
 

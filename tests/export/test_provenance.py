@@ -16,7 +16,6 @@ from symnav.export import provenance
 from symnav.spec.builder import build, frame, measurement, vector
 from tests.export.bundles import ALL, QUICK, bundle_of, cases, files, run
 
-
 FLOAT = tuple(case for case in ALL if case[1] == "float")
 
 
