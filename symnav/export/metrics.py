@@ -32,7 +32,7 @@ class Measured:
 
     Attributes:
         name: identifier.
-        code: lines with code, head and braces included.
+        code: lines with code, from the one with the name to the brace that ends the body.
         complexity: cyclomatic: one more than decisions, each operand of ``&&`` and ``||`` one.
         parameters: how many.
     """
@@ -73,7 +73,7 @@ def measure(text: str) -> Iterator[Measured]:
             head = []
         elif line.startswith(" ") and head:
             head.append(line)
-        elif re.match(r"\w.*\(", line) and not line.endswith(";"):
+        elif re.match(r"\w", line) and not line.endswith(";"):
             head, first = [line], number
         else:
             head = []
@@ -81,13 +81,13 @@ def measure(text: str) -> Iterator[Measured]:
 
 def _measured(head: list[str], whole: list[str], body: list[str]) -> Measured:
     text = " ".join(head)
-    # An attribute in front of the name has parentheses as well: the last that opens at depth 0.
     listed = text[text.index("(") + 1 : text.rindex(")")].strip()
     found = _NAME.search(text)
     assert found is not None
+    named = next(k for k, line in enumerate(whole) if _NAME.search(line))
     return Measured(
         found[1],
-        sum(1 for line in whole if line.strip()),
+        sum(1 for line in whole[named:] if line.strip()),
         1 + len(_DECISION.findall("\n".join(body))),
         0 if listed in ("", "void") else listed.count(",") + 1,
     )

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import atexit
 import functools
 import os
+import shutil
 import subprocess
 import tempfile
 from collections.abc import Mapping, Sequence
@@ -18,7 +20,8 @@ MODELS = tuple(name for name, _ in pipeline.shipped())
 QUICK = (("reference_relative", "double"), ("rover", "float"))
 ALL = tuple((model, scalar) for model in MODELS for scalar in ("double", "float"))
 
-_FOLDER = tempfile.TemporaryDirectory(prefix="bundles-")
+_FOLDER = Path(tempfile.mkdtemp(prefix="bundles-"))
+atexit.register(shutil.rmtree, _FOLDER, ignore_errors=True)
 
 
 def cases(
@@ -32,7 +35,7 @@ def cases(
 @functools.cache
 def bundle_of(model: str, scalar: str) -> Path:
     """A folder with the bundle of a shipped model; to be read, not written."""
-    folder = Path(_FOLDER.name) / f"{model}-{scalar}"
+    folder = _FOLDER / f"{model}-{scalar}"
     pipeline.export(pipeline.load(model), folder, scalar=scalar)
     return folder
 
