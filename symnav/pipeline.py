@@ -78,11 +78,15 @@ class Exported:
         folder: the bundle.
         written: relative paths of the files that were new or different.
         unchanged: True when the bundle was already current.
+        name: of the library.
+        trees: prefix of its symbols and files, scalar type and functions of every tree of C.
     """
 
     folder: Path
     written: tuple[str, ...]
     unchanged: bool
+    name: str
+    trees: tuple[tuple[str, str, tuple[str, ...]], ...]
 
 
 def shipped() -> list[tuple[str, str]]:
@@ -302,12 +306,16 @@ def export(
     trees = tuple(_tree(module) for module in modules)
     derivations = (*derived.layout, *derived.entries)
     bundle = Bundle(spec, derivations, trees, Options(ir.Scalar(scalar), tolerance))
-    text = assemble(bundle)
+    text = assemble(bundle, progress)
     progress("write")
-    written = writing.write(
-        folder, text, digest(spec), [tree.module.scalar.value for tree in trees]
+    scalars = [tree.module.scalar.value for tree in trees]
+    options = {"scalar": scalar, "tolerance": tolerance}
+    written = writing.write(folder, text, digest(spec), scalars, options)
+    contents = tuple(
+        (tree.prefix, tree.module.scalar.value, tuple(f.name for f in tree.module.functions))
+        for tree in trees
     )
-    return Exported(folder, written, not written)
+    return Exported(folder, written, not written, bundle.name, contents)
 
 
 def _modules(spec: Spec, derived: Derived, scalar: ir.Scalar) -> list[ir.Module]:

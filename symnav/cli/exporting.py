@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from pathlib import Path
 
 import click
@@ -63,8 +64,17 @@ def export(
             force=force,
             progress=reporter.stage,
         )
+    follow = f"make -C {shlex.quote(str(done.folder))} check"
     if as_json:
-        write_json({"bundle": done.folder, "written": done.written, "unchanged": done.unchanged})
+        trees = [
+            dict(zip(("prefix", "scalar", "functions"), tree, strict=True)) for tree in done.trees
+        ]
+        found = {"written": done.written, "unchanged": done.unchanged, "next": follow}
+        write_json({"bundle": done.folder, "name": done.name, "trees": trees, **found})
         return
     what = "unchanged" if done.unchanged else f"{len(done.written)} files written"
     click.echo(f"{done.folder}: {what}")
+    for prefix, kind, functions in done.trees:
+        if functions:
+            click.echo(f"  {prefix} ({kind}): {', '.join(functions)}")
+    click.echo(f"next: {follow}, then read {done.folder / 'README.md'}")

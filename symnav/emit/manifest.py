@@ -20,6 +20,7 @@ MANIFEST = "manifest.json"
 
 _GENERATOR = f"symnav {__version__}"
 _BUILT = frozenset({MANIFEST, "_build.json", "_build.log"})
+_BUILD_FOLDER = "build"  # where the build files of a bundle put everything they make
 _BINARIES = frozenset({".so", ".pyd", ".dylib", ".pyc"})
 
 
@@ -46,18 +47,25 @@ class CheckReport:
     reasons: tuple[str, ...]
 
 
-def emit(spec_digest: str, scalars: Sequence[str], text: Mapping[str, str]) -> dict[str, str]:
+def emit(
+    spec_digest: str,
+    scalars: Sequence[str],
+    text: Mapping[str, str],
+    options: Mapping[str, object] | None = None,
+) -> dict[str, str]:
     """Render the manifest of a package.
 
     Args:
         spec_digest: of the canonical text of the specification.
         scalars: floating-point types of the C.
         text: every other file of the package by path.
+        options: what else decided about the files, where anything did.
     """
-    content = {
+    content: dict[str, object] = {
         "generator": _GENERATOR,
         "specification": spec_digest,
         "scalars": list(scalars),
+        **({"options": dict(options)} if options else {}),
         "files": {path: _digest(text[path].encode()) for path in sorted(text)},
     }
     return {MANIFEST: json.dumps(content, indent=2) + "\n"}
@@ -145,7 +153,12 @@ def _differences(package: Path, expected: Mapping[str, str]) -> Iterator[tuple[s
 def _is_built(path: Path) -> bool:
     """True for what building and running leave behind, and for hidden files."""
     hidden = any(part.startswith(".") or part == "__pycache__" for part in path.parts)
-    return hidden or path.as_posix() in _BUILT or path.suffix in _BINARIES
+    return (
+        hidden
+        or path.parts[0] == _BUILD_FOLDER
+        or path.as_posix() in _BUILT
+        or path.suffix in _BINARIES
+    )
 
 
 def _staleness(manifest: _Manifest, spec_digest: str | None) -> Iterator[str]:

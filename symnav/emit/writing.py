@@ -10,7 +10,11 @@ from symnav.errors import HandEditedError, InputError
 
 
 def write(
-    folder: Path, text: Mapping[str, str], specification: str, scalars: Sequence[str]
+    folder: Path,
+    text: Mapping[str, str],
+    specification: str,
+    scalars: Sequence[str],
+    options: Mapping[str, object] | None = None,
 ) -> tuple[str, ...]:
     """Write files and their manifest; remove those an earlier generation wrote and this does not.
 
@@ -19,11 +23,12 @@ def write(
         text: by path.
         specification: digest of the specification.
         scalars: floating-point types of the C.
+        options: what else decided about the files, where anything did.
 
     Returns:
         Paths of what was new, different or removed; nothing was touched where there are none.
     """
-    complete = {**text, **manifest.emit(specification, scalars, text)}
+    complete = {**text, **manifest.emit(specification, scalars, text, options)}
     changed = [path for path, content in complete.items() if not _same(folder / path, content)]
     stale = [path for path in manifest.listed(folder) if path not in complete]
     if changed or stale:

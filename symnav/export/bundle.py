@@ -8,24 +8,37 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from symnav.export import error_bounds, testing
+from symnav.export import building, documents, error_bounds, glue, provenance, testing
 from symnav.export.records import Bundle
 
 Part = Callable[[Bundle], Mapping[str, str]]
 
-PARTS: tuple[Part, ...] = (testing.files, error_bounds.files)
+PARTS: tuple[Part, ...] = (
+    building.files, documents.files, glue.files, testing.files, error_bounds.files,
+    provenance.files,
+)  # fmt: skip
 
 
-def assemble(bundle: Bundle) -> dict[str, str]:
+def _silent(_part: str) -> None:
+    """Report nothing."""
+
+
+def assemble(bundle: Bundle, progress: Callable[[str], None] = _silent) -> dict[str, str]:
     """Every file of a bundle except its manifest, by path.
 
     The same bundle gives the same bytes: no clock, no path of this machine, no hash order.
+
+    Args:
+        bundle: what to write.
+        progress: told each part as it begins.
     """
     text = {path: content for tree in bundle.trees for path, content in tree.files.items()}
     for part in PARTS:
+        progress(part.__module__.rpartition(".")[2])
         made = part(bundle)
         repeated = sorted(text.keys() & made.keys())
         if repeated:
             raise AssertionError(f"two parts of the bundle write {', '.join(repeated)}")
         text.update(made)
-    return text
+    progress("bill of materials")
+    return {**text, **provenance.bill(bundle, text)}

@@ -45,6 +45,7 @@ from symnav.spec.records import Entry, Input, Spec
 from symnav.spec.schema import EntryTable
 from symnav.spec.trial import Scope
 from symnav.spec.user import make
+from symnav.spec.writing import as_toml
 
 
 def load(path: Path) -> Spec:
@@ -97,7 +98,7 @@ def from_table(
     problems = Problems()
     tables = read(table, problems)
     stages = _Stages(tables, models if models is not None else library(), problems)
-    return stages.run(source)
+    return replace(stages.run(source), toml=as_toml(table))
 
 
 Found = tuple[str, Row, Bound | None]

@@ -133,6 +133,7 @@ class Spec:
         entries: measurements, then corrections, each in the order of the spec.
         scalars: ``double`` and, when asked for, ``float``.
         text: canonical form of what was declared; its digest identifies the spec.
+        toml: what was declared, to be read again; empty where an equation is a Python function.
     """
 
     name: str
@@ -142,6 +143,7 @@ class Spec:
     entries: tuple[Entry, ...]
     scalars: tuple[str, ...]
     text: str
+    toml: str = ""
 
 
 Equation = Callable[[Any], Any]

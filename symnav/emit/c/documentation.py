@@ -120,11 +120,16 @@ def _listed(counter: Counter[ir.Operation]) -> str:
     return ", ".join(parts) or "none"
 
 
-def _returns(function: ir.Function, entry: EntryPoint) -> str:
+def statuses(function: ir.Function, entry: EntryPoint) -> list[ir.Status]:
+    """What an entry point can return, in the order of the values."""
     found = [ir.Status.OK]
     if any(parameter.pointer for parameter in entry.parameters):
         found.append(ir.Status.NULL)
-    possible = _possible(function, found, entry)
+    return _possible(function, found, entry)
+
+
+def _returns(function: ir.Function, entry: EntryPoint) -> str:
+    possible = statuses(function, entry)
     listed = (f"{status.name} ({_STATUS_TEXT[status]})" for status in possible)
     return f"{', '.join(listed)}."
 

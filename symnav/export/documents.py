@@ -1,0 +1,64 @@
+"""What people read: README, interface control document, trace table, deviations, metrics."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from symnav.emit.templates import render
+from symnav.export import building, example, glue, icd, metrics, trace
+from symnav.export.deviations import DEVIATIONS
+from symnav.export.records import Bundle
+
+EXAMPLE = "example/example.c"
+
+
+def files(bundle: Bundle) -> Mapping[str, str]:
+    """The documents and the example they show."""
+    program = example.program(bundle)
+    return {
+        "README.md": _readme(bundle, program),
+        EXAMPLE: program,
+        icd.PATH: icd.document(bundle),
+        trace.PATH: trace.table(bundle),
+        "docs/misra_deviations.md": render(
+            "export/docs/misra_deviations.md.j2", name=bundle.name, deviations=DEVIATIONS
+        ),
+        metrics.PATH: metrics.document(bundle),
+    }
+
+
+def regenerate(bundle: Bundle) -> str:
+    """The command that makes the bundle again from its own specification; empty without one."""
+    if not bundle.spec.toml:
+        return ""
+    options = bundle.options
+    tolerance = "" if options.tolerance is None else f" --tolerance {options.tolerance!r}"
+    return f"symnav export spec.toml --to DIR --scalar {options.scalar.value}{tolerance}"
+
+
+def _readme(bundle: Bundle, program: str) -> str:
+    module = bundle.trees[0].module
+    functions = list(bundle.functions())
+    rows = [
+        (f"`{tree.prefix}_{function.name}`", tree.module.scalar.value, function.title)
+        for tree, function in functions
+    ]
+    first_tree, first = functions[0]
+    return render(
+        "export/docs/README.md.j2",
+        name=bundle.name,
+        macro=bundle.name.upper(),
+        summary=building.summary(bundle),
+        library=building.library_name(bundle),
+        generator=module.generator,
+        trees=bundle.trees,
+        functions=functions,
+        functions_table=icd.table(("function", "type", "what it computes"), rows),
+        has_state=bool(module.state.blocks),
+        size=module.state.size,
+        error_size=module.state.error_size,
+        example=program,
+        zephyr=glue.zephyr_option(bundle),
+        regenerate=regenerate(bundle),
+        model_macro=f"{first_tree.prefix}_{first.name}".upper() + "_MODEL_DIGEST",
+    )

@@ -1,0 +1,75 @@
+"""Bundles as a user gets them: exported once for each model and scalar type."""
+
+from __future__ import annotations
+
+import atexit
+import functools
+import os
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+import pytest
+
+from symnav import ir, pipeline
+from symnav.export import Bundle, Options
+
+MODELS = tuple(name for name, _ in pipeline.shipped())
+QUICK = (("reference_relative", "double"), ("rover", "float"))
+ALL = tuple((model, scalar) for model in MODELS for scalar in ("double", "float"))
+
+_FOLDER = Path(tempfile.mkdtemp(prefix="bundles-"))
+atexit.register(shutil.rmtree, _FOLDER, ignore_errors=True)
+
+
+def cases(
+    quick: Sequence[tuple[str, str]] = QUICK, slow: Sequence[tuple[str, str]] = ALL
+) -> list[object]:
+    """Some bundles in every run, others in the slow one."""
+    marks = dict.fromkeys(slow, (pytest.mark.slow,)) | dict.fromkeys(quick, ())
+    return [pytest.param(*case, id="-".join(case), marks=mark) for case, mark in marks.items()]
+
+
+@functools.cache
+def bundle_of(model: str, scalar: str) -> Path:
+    """A folder with the bundle of a shipped model; to be read, not written."""
+    folder = _FOLDER / f"{model}-{scalar}"
+    pipeline.export(pipeline.load(model), folder, scalar=scalar)
+    return folder
+
+
+@functools.cache
+def records_of(model: str, scalar: str) -> Bundle:
+    """What the bundle was assembled from."""
+    spec = pipeline.load(model)
+    derived = pipeline.derive(spec)
+    trees = pipeline._trees(spec, derived, ir.Scalar(scalar))
+    derivations = (*derived.layout, *derived.entries)
+    return Bundle(spec, derivations, trees, Options(ir.Scalar(scalar)))
+
+
+def files(folder: Path) -> dict[str, bytes]:
+    """Content by path."""
+    return {
+        path.relative_to(folder).as_posix(): path.read_bytes()
+        for path in sorted(folder.rglob("*"))
+        if path.is_file()
+    }
+
+
+def run(
+    words: Sequence[str | Path], folder: Path, environment: Mapping[str, str] | None = None
+) -> str:
+    """The output of a command that must end well."""
+    done = subprocess.run(
+        [str(word) for word in words],
+        cwd=folder,
+        env={**os.environ, **(environment or {})},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, f"{words}\n{done.stdout}\n{done.stderr}"
+    return done.stdout

@@ -1,0 +1,65 @@
+"""The verb: what a user reads and types next, what a program reads, what a watcher sees."""
+
+from __future__ import annotations
+
+import json
+import re
+import shlex
+import shutil
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from symnav import pipeline
+from symnav.cli import main
+from tests.export.bundles import bundle_of, files, run
+
+
+def export(*words: str) -> str:
+    result = CliRunner().invoke(main, ["export", *words])
+    assert result.exit_code == 0, result.output
+    return result.output
+
+
+@pytest.mark.skipif(shutil.which("make") is None, reason="needs make")
+def test_summary_says_what_was_written_and_what_is_next(tmp_path: Path) -> None:
+    folder = tmp_path / "with space"
+    first, *rest = export("rover", "--to", str(folder), "--scalar", "float").splitlines()
+    assert first == f"{folder}: {len(files(folder))} files written"
+    assert rest[:2] == ["  rover_f32 (float): retract, local, gps, imu", "  rover (double): range"]
+    command = rest[2].removeprefix("next: ").partition(", then")[0]
+    assert "without a warning" in run(shlex.split(command), tmp_path)
+    again = export("rover", "--to", str(folder), "--scalar", "float").splitlines()
+    assert again[0] == f"{folder}: unchanged"
+
+
+def test_json_says_the_same(tmp_path: Path) -> None:
+    found = json.loads(export("rover", "--to", str(tmp_path / "r"), "--json"))
+    assert found["bundle"] == str(tmp_path / "r") and found["name"] == "rover"
+    functions = ["retract", "local", "gps", "range", "imu"]
+    assert found["trees"] == [{"prefix": "rover", "scalar": "double", "functions": functions}]
+    assert sorted(found["written"]) == sorted(files(tmp_path / "r"))
+    assert not found["unchanged"] and found["next"].startswith("make -C ")
+
+
+def test_every_part_is_told(tmp_path: Path) -> None:
+    told: list[str] = []
+    pipeline.export(pipeline.load("reference_relative"), tmp_path, progress=told.append)
+    assert told[:2] == ["derive", "emit"] and told[-1] == "write"
+    assert {"building", "documents", "glue", "provenance", "bill of materials"} <= set(told)
+
+
+@pytest.mark.skipif(shutil.which("gcc") is None, reason="needs gcc")
+def test_page_of_the_documentation(tmp_path: Path) -> None:
+    """Its C compiles against the bundle it speaks of, and every path of its table is there."""
+    page = (Path(__file__).parents[2] / "docs/export.md").read_text(encoding="utf-8")
+    folder = bundle_of("rover", "float")
+    (code,) = re.findall(r"^```c\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
+    (tmp_path / "page.c").write_text(code)
+    run(["gcc", "-std=c99", f"-I{folder / 'include'}", "-fsyntax-only", "page.c"], tmp_path)
+    cells = re.findall(r"^\| (`.*?) \|", page, re.MULTILINE)
+    paths = [path for cell in cells for path in re.findall(r"`([^`]+)`", cell)]
+    assert len(paths) > 15
+    for path in paths:
+        assert list(folder.glob(path.rstrip("/"))), path
