@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from symnav.export import testing
+from symnav.export import targets, testing
 from symnav.export.records import Bundle
 
 Part = Callable[[Bundle], Mapping[str, str]]
 
-PARTS: tuple[Part, ...] = (testing.files,)
+PARTS: tuple[Part, ...] = (testing.files, targets.files)
 
 
 def assemble(bundle: Bundle) -> dict[str, str]:

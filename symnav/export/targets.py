@@ -1,0 +1,175 @@
+"""Runs of a bundle on a bare Cortex-M: start-up code, and a program that counts instructions.
+
+``test/semihost/`` holds what stands between a reset and ``main``, a Makefile, a CMake toolchain
+file, and ``count.c``: it calls every function with inputs inside their ranges and prints what came
+out, bit by bit, and how many instructions a call took. The same file runs on any host.
+"""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from math import prod
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symnav import ir
+from symnav.derive import Derivation
+from symnav.emit.templates import render
+from symnav.export.records import Bundle, Tree
+from symnav.verify import sampling
+
+FOLDER = "test/semihost"
+SAMPLES = 8
+ITEMS = 8
+SEED = 20
+_PLAIN = ("startup.c", "semihost.c", "semihost.h", "mps2.ld", "targets.mk",
+          "toolchain-arm-none-eabi.cmake")  # fmt: skip
+_MADE = ("Makefile", "count.c")
+
+
+@dataclass(frozen=True)
+class Given:
+    """An input array of one function.
+
+    Attributes:
+        name: of the array.
+        type: of its elements.
+        size: elements of one sample.
+        rows: literals of every sample, in lines.
+    """
+
+    name: str
+    type: str
+    size: int
+    rows: tuple[tuple[str, ...], ...]
+
+
+@dataclass(frozen=True)
+class Form:
+    """One way to call a function.
+
+    Attributes:
+        symbol: what is called.
+        call: its arguments.
+        out: the array its outputs go to.
+        words: 32-bit words of all outputs.
+    """
+
+    symbol: str
+    call: tuple[str, ...]
+    out: str
+    words: int
+
+
+def files(bundle: Bundle) -> dict[str, str]:
+    """The files below ``test/semihost``."""
+    context = {
+        "name": bundle.name,
+        "trees": bundle.trees,
+        "samples": SAMPLES,
+        "items": max(function.maximum or 1 for _, function in bundle.functions()),
+        "outputs": [_room(tree, bundle) for tree in bundle.trees],
+        "given": [one for tree, function in bundle.functions() for one in _given(
+            bundle, tree, function)],
+        "forms": list(_forms(bundle)),
+    }  # fmt: skip
+    templates = {name: f"export/{FOLDER}/{name}" for name in _PLAIN}
+    templates |= {name: f"export/{FOLDER}/{name}.j2" for name in _MADE}
+    return {f"{FOLDER}/{name}": render(path, **context) for name, path in templates.items()}
+
+
+def _room(tree: Tree, bundle: Bundle) -> dict[str, str | int]:
+    """The array that takes the outputs of a tree's functions."""
+    most = max(form.words for form in _forms(bundle) if form.out == _out(tree))
+    real = f"{tree.prefix}_real_t"
+    return {"type": real, "name": _out(tree), "size": most // _words(tree.module.scalar)}
+
+
+def _out(tree: Tree) -> str:
+    return f"{tree.prefix}_out"
+
+
+def _words(scalar: ir.Scalar) -> int:
+    return 2 if scalar is ir.Scalar.DOUBLE else 1
+
+
+def _items(function: ir.Function) -> int:
+    return min(ITEMS, function.maximum) if function.maximum is not None else 1
+
+
+def _given(bundle: Bundle, tree: Tree, function: ir.Function) -> Iterator[Given]:
+    """Inputs of a function: random, and as good as the declared ranges are."""
+    drawn = _samples(bundle, _derivation(bundle, function), _items(function))
+    for argument in function.arguments:
+        of_type = "int32_t" if argument.integer else f"{tree.prefix}_real_t"
+        rows = [
+            _lines(_literal(element, argument, tree.module.scalar) for element in row)
+            for row in drawn[argument.name]
+        ]
+        size = argument.size * _room_of(function, argument.item)
+        yield Given(_name(tree, function, argument), of_type, size, tuple(rows))
+
+
+def _derivation(bundle: Bundle, function: ir.Function) -> Derivation:
+    return next(d for d in bundle.derivations if d.name == function.name)
+
+
+def _samples(
+    bundle: Bundle, derivation: Derivation, items: int
+) -> Mapping[str, NDArray[np.float64]]:
+    """Every argument, flat, for as many samples as are called; edges are for other tests."""
+    drawn = sampling.draw(bundle.spec, derivation, 4 * SAMPLES, SEED, items)
+    per = drawn.items or 1
+    plain = [k for k in range(drawn.count) if drawn.labels[k * per] == sampling.RANDOM][:SAMPLES]
+    return {name: a[plain].reshape(len(plain), -1) for name, a in drawn.arguments.items()}
+
+
+def _name(tree: Tree, function: ir.Function, argument: ir.Argument) -> str:
+    return f"{tree.prefix}_{function.name}_{argument.name}_given"
+
+
+def _literal(element: float, argument: ir.Argument, scalar: ir.Scalar) -> str:
+    """Exact, in hexadecimal."""
+    if argument.integer:
+        return str(int(element))
+    if scalar is ir.Scalar.FLOAT:
+        return f"{float(np.float32(element)).hex()}F"
+    return float(element).hex()
+
+
+def _forms(bundle: Bundle) -> Iterator[Form]:
+    """The dense and the sparse form of every function."""
+    for tree, function in bundle.functions():
+        jacobians = [o for o in function.outputs if o.name.startswith("jacobian")]
+        yield _form(tree, function, "", [(o, prod(o.shape)) for o in function.outputs])
+        if any(output.entries for output in jacobians):
+            kept = [o for o in function.outputs if o not in jacobians or o.entries]
+            sizes = [(o, len(o.entries) if o in jacobians else prod(o.shape)) for o in kept]
+            yield _form(tree, function, "_nz", sizes)
+
+
+def _lines(literals: Iterable[str]) -> tuple[str, ...]:
+    return tuple(textwrap.wrap(", ".join(literals), 90))
+
+
+def _form(
+    tree: Tree, function: ir.Function, suffix: str, outputs: list[tuple[ir.Output, int]]
+) -> Form:
+    """A call; every array of the items has room for the most of them, as its declaration says."""
+    mapped = function.maximum is not None
+    places, at = [], 0
+    for output, size in outputs:
+        places.append(f"&{_out(tree)}[{at}]")
+        at += size * _room_of(function, output.item)
+    first, *rest = [f"{_name(tree, function, argument)}[k]" for argument in function.arguments]
+    count = [str(_items(function))] if mapped else []
+    call = (first, *count, *rest, *places, *(["item_status"] if mapped else []))
+    symbol = f"{tree.prefix}_{function.name}{suffix}"
+    return Form(symbol, call, _out(tree), at * _words(tree.module.scalar))
+
+
+def _room_of(function: ir.Function, item: bool) -> int:
+    return (function.maximum or 1) if item else 1
