@@ -10,7 +10,7 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from math import prod
+from itertools import accumulate
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,6 +25,9 @@ FOLDER = "test/semihost"
 SAMPLES = 8
 ITEMS = 8
 SEED = 20
+TICK = 40
+"""Instructions of one tick of the 25 MHz timer, when each takes a nanosecond of its clock."""
+
 _PLAIN = ("startup.c", "semihost.c", "semihost.h", "mps2.ld", "targets.mk",
           "toolchain-arm-none-eabi.cmake")  # fmt: skip
 _MADE = ("Makefile", "count.c")
@@ -54,14 +57,18 @@ class Form:
     Attributes:
         symbol: what is called.
         call: its arguments.
+        scalar: type of its numbers.
         out: the array its outputs go to.
         words: 32-bit words of all outputs.
+        blocks: a number for every element of the outputs, one for what shares a unit; in lines.
     """
 
     symbol: str
     call: tuple[str, ...]
+    scalar: ir.Scalar
     out: str
     words: int
+    blocks: tuple[str, ...]
 
 
 def files(bundle: Bundle) -> dict[str, str]:
@@ -70,6 +77,7 @@ def files(bundle: Bundle) -> dict[str, str]:
         "name": bundle.name,
         "trees": bundle.trees,
         "samples": SAMPLES,
+        "instructions": TICK,
         "items": max(function.maximum or 1 for _, function in bundle.functions()),
         "outputs": [_room(tree, bundle) for tree in bundle.trees],
         "given": [one for tree, function in bundle.functions() for one in _given(
@@ -143,32 +151,71 @@ def _literal(element: float, argument: ir.Argument, scalar: ir.Scalar) -> str:
 def _forms(bundle: Bundle) -> Iterator[Form]:
     """The dense and the sparse form of every function."""
     for tree, function in bundle.functions():
-        jacobians = [o for o in function.outputs if o.name.startswith("jacobian")]
-        yield _form(tree, function, "", [(o, prod(o.shape)) for o in function.outputs])
+        jacobians = [o for o in function.outputs if _sparse(o)]
+        yield _form(tree, function, "", [_dense_blocks(function, o) for o in function.outputs])
         if any(output.entries for output in jacobians):
             kept = [o for o in function.outputs if o not in jacobians or o.entries]
-            sizes = [(o, len(o.entries) if o in jacobians else prod(o.shape)) for o in kept]
-            yield _form(tree, function, "_nz", sizes)
+            yield _form(tree, function, "_nz", [
+                _sparse_blocks(function, o) if o in jacobians else _dense_blocks(function, o)
+                for o in kept
+            ])  # fmt: skip
+
+
+def _sparse(output: ir.Output) -> bool:
+    return output.name.startswith("jacobian")
+
+
+def _form(
+    tree: Tree, function: ir.Function, suffix: str, blocks: list[list[tuple[str, int, int]]]
+) -> Form:
+    """A call; every array of the items has room for the most of them, as its declaration says."""
+    mapped = function.maximum is not None
+    places = [f"&{_out(tree)}[{at}]" for at in accumulate(map(len, blocks[:-1]), initial=0)]
+    first, *rest = [f"{_name(tree, function, argument)}[k]" for argument in function.arguments]
+    count = [str(_items(function))] if mapped else []
+    call = (first, *count, *rest, *places, *(["item_status"] if mapped else []))
+    together = [block for output in blocks for block in output]
+    numbers = {block: k for k, block in enumerate(dict.fromkeys(together))}
+    return Form(
+        symbol=f"{tree.prefix}_{function.name}{suffix}",
+        call=call,
+        scalar=tree.module.scalar,
+        out=_out(tree),
+        words=len(together) * _words(tree.module.scalar),
+        blocks=_lines(str(numbers[block]) for block in together),
+    )
+
+
+def _dense_blocks(function: ir.Function, output: ir.Output) -> list[tuple[str, int, int]]:
+    """The block of every element of an output, as it is stored: what has one unit."""
+    indices = list(np.ndindex(*output.shape))
+    if function.column_major and len(output.shape) == 2:
+        indices.sort(key=lambda index: (index[1], index[0]))
+    return [_block(output, index) for index in indices] * _room_of(function, output.item)
+
+
+def _sparse_blocks(function: ir.Function, output: ir.Output) -> list[tuple[str, int, int]]:
+    """The same of the non-zeros: each is stored for one item after the other."""
+    room = _room_of(function, output.item)
+    starts = [tuple(i.base if isinstance(i, ir.Offset) else i for i in entry.index)
+              for entry in output.entries]  # fmt: skip
+    return [_block(output, index) for index in starts for _ in range(room)]
+
+
+def _block(output: ir.Output, index: tuple[int, ...]) -> tuple[str, int, int]:
+    """Name of an output, sections of a row and of a column."""
+    row, column = (
+        (0, *index)[-2:] if len(output.shape) < 2 and _sparse(output) else (*index, 0, 0)[:2]
+    )
+    return output.name, _section(output.rows, row), _section(output.columns, column)
+
+
+def _section(sections: tuple[ir.Section, ...], index: int) -> int:
+    return sum(section.start <= index for section in sections)
 
 
 def _lines(literals: Iterable[str]) -> tuple[str, ...]:
     return tuple(textwrap.wrap(", ".join(literals), 90))
-
-
-def _form(
-    tree: Tree, function: ir.Function, suffix: str, outputs: list[tuple[ir.Output, int]]
-) -> Form:
-    """A call; every array of the items has room for the most of them, as its declaration says."""
-    mapped = function.maximum is not None
-    places, at = [], 0
-    for output, size in outputs:
-        places.append(f"&{_out(tree)}[{at}]")
-        at += size * _room_of(function, output.item)
-    first, *rest = [f"{_name(tree, function, argument)}[k]" for argument in function.arguments]
-    count = [str(_items(function))] if mapped else []
-    call = (first, *count, *rest, *places, *(["item_status"] if mapped else []))
-    symbol = f"{tree.prefix}_{function.name}{suffix}"
-    return Form(symbol, call, _out(tree), at * _words(tree.module.scalar))
 
 
 def _room_of(function: ir.Function, item: bool) -> int:
