@@ -50,12 +50,16 @@ class Binutils:
 
 
 def stack_bytes(account: Path, functions: frozenset[str]) -> int:
-    """Stack of some functions on top of each other, by the account of ``-fstack-usage``."""
+    """Stack of some functions on top of each other, by the account of ``-fstack-usage``.
+
+    Copies the compiler specialises are named after their function, with a point in between.
+    """
+    names = {name.partition(".")[0] for name in functions}
     total = 0
     for line in account.read_text(encoding="utf-8").splitlines():
         place, size, _ = line.split("\t")
-        function = place.rpartition(":")[2]
-        if any(function == name or f"{name}(" in function for name in functions):
+        function = place.rpartition(":")[2].partition(".")[0]
+        if any(function == name or f"{name}(" in function for name in names):
             total += int(size)
     return total
 
