@@ -13,7 +13,9 @@ import sys
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
+from functools import cached_property
 from pathlib import Path
+from shutil import copy
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,6 +32,7 @@ from symnav.export.emulation import ARM, TARGETS, Target
 from symnav.export.targets import FOLDER, TICK
 
 HERE = Path(__file__).parent
+SUPPORT = directory() / "export" / FOLDER
 MODELS = tuple(problem.name for problem in PROBLEMS if problem.name != "filter")
 Floats = NDArray[np.float32]
 RECORDS = 8
@@ -88,10 +91,11 @@ def measure(problem: Problem, target: Target, folder: Path) -> dict[str, Figures
     """
     given = records(problem)[:RECORDS].astype(np.float32)
     workshop = Workshop(target, folder / "programs")
+    taking_part = list(contestants(problem, folder))
+    _, empty = workshop.made(problem, _idle(taking_part[0]), given)
     found = {}
-    for contestant in contestants(problem, folder):
+    for contestant in taking_part:
         item, program = workshop.made(problem, contestant, given)
-        _, empty = workshop.made(problem, _idle(contestant), given)
         printed = target.emulated(program).splitlines()
         compare(contestant, given, printed)
         ticks, calls = (int(printed[-1].split()[k]) for k in (1, 3))
@@ -199,21 +203,24 @@ class Workshop:
 
     def _linked(self, place: Path, caller: str) -> Path:
         """A program of all objects in a folder, with the start-up code of a bundle."""
-        support = directory() / "export" / FOLDER
         main = place / "main.c"
         main.write_text(caller, encoding="utf-8")
         self._object(main, "-ffreestanding")
-        for name in ("startup", "semihost"):
-            copy = place / f"{name}.c"
-            copy.write_text((support / copy.name).read_text(encoding="utf-8"), encoding="utf-8")
-            self._object(copy, "-ffreestanding", f"-I{support}")
         program = place / "program.elf"
+        objects = [*sorted(place.glob("*.o")), *self.support]
         said(
             "arm-none-eabi-gcc", *self.target.flags, "-nostartfiles", "-Wl,--gc-sections",
-            "-T", str(support / "mps2.ld"), *sorted(str(item) for item in place.glob("*.o")),
-            "-lm", "-o", str(program),
+            "-T", str(SUPPORT / "mps2.ld"), *map(str, objects), "-lm", "-o", str(program),
         )  # fmt: skip
         return program
+
+    @cached_property
+    def support(self) -> tuple[Path, ...]:
+        """What stands between a reset and the main program."""
+        place = self.folder / "support"
+        place.mkdir(parents=True)
+        copies = [Path(copy(SUPPORT / name, place)) for name in ("startup.c", "semihost.c")]
+        return tuple(self._object(one, "-ffreestanding", f"-I{SUPPORT}") for one in copies)
 
 
 if __name__ == "__main__":
