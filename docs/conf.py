@@ -16,7 +16,7 @@ project_copyright = "2026, The symnav authors"
 version = release = __version__
 
 extensions = ["myst_parser", "sphinx.ext.mathjax", "reference_pages"]
-exclude_patterns = ["_build", "performance-results.md"]
+exclude_patterns = ["_build", "performance-results.md", "embedded-results.md"]
 myst_enable_extensions = ["amsmath", "attrs_inline", "colon_fence", "deflist", "dollarmath"]
 myst_heading_anchors = 3
 

@@ -64,16 +64,28 @@ def stack_bytes(account: Path, functions: frozenset[str]) -> int:
     return total
 
 
-def said(*command: str, folder: Path | None = None) -> str:
+def said(*command: str, folder: Path | None = None, seconds: float | None = None) -> str:
     """Standard output of a command that must succeed.
 
+    Args:
+        *command: the program and its arguments.
+        folder: where it runs.
+        seconds: after which it has failed; None for never.
+
     Raises:
-        BuildError: when it is not installed or fails.
+        BuildError: when it is not installed, fails or takes longer.
     """
     if "/" not in command[0] and shutil.which(command[0]) is None:
         raise BuildError(f"{command[0]} is needed to measure and is not installed")
-    done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=folder)
+    name = " ".join(command[:2])
+    try:
+        done = subprocess.run(
+            command, capture_output=True, text=True, check=False, cwd=folder, timeout=seconds,
+            stdin=subprocess.DEVNULL,
+        )  # fmt: skip
+    except subprocess.TimeoutExpired:
+        raise BuildError(f"{name} ...: not done after {seconds:g} s") from None
     if done.returncode:
-        shown = (done.stderr.strip() or done.stdout.strip())[:2000]
-        raise BuildError(f"{' '.join(command[:2])} ...: {shown}")
+        shown = "\n".join(text.strip()[-2000:] for text in (done.stdout, done.stderr) if text)
+        raise BuildError(f"{name} ...: {shown or f'exit status {done.returncode}'}")
     return done.stdout

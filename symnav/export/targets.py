@@ -78,7 +78,7 @@ def files(bundle: Bundle) -> dict[str, str]:
         "trees": bundle.trees,
         "samples": SAMPLES,
         "instructions": TICK,
-        "items": max(function.maximum or 1 for _, function in bundle.functions()),
+        "items": max(function.maximum or 0 for _, function in bundle.functions()),
         "outputs": [_room(tree, bundle) for tree in bundle.trees],
         "given": [one for tree, function in bundle.functions() for one in _given(
             bundle, tree, function)],

@@ -55,7 +55,7 @@ static void put_text(const char *text)
     }
 }
 
-static void put_number(unsigned long value, unsigned long base, int width, char fill)
+static void put_number(unsigned long value, unsigned long base, int width, char fill, bool minus)
 {
     char digits[3 * sizeof(value)];
     int count = 0;
@@ -65,8 +65,14 @@ static void put_number(unsigned long value, unsigned long base, int width, char 
         ++count;
         value /= base;
     } while (value > 0UL);
-    for (int k = count; k < width; ++k) {
+    if (minus && (fill == '0')) {
+        put('-');
+    }
+    for (int k = count + (minus ? 1 : 0); k < width; ++k) {
         put(fill);
+    }
+    if (minus && (fill != '0')) {
+        put('-');
     }
     while (count > 0) {
         --count;
@@ -76,12 +82,9 @@ static void put_number(unsigned long value, unsigned long base, int width, char 
 
 static void put_signed(long value, int width, char fill)
 {
-    if (value < 0) {
-        put('-');
-        put_number(0UL - (unsigned long)value, 10UL, width - 1, fill);
-    } else {
-        put_number((unsigned long)value, 10UL, width, fill);
-    }
+    const unsigned long size = (value < 0) ? (0UL - (unsigned long)value) : (unsigned long)value;
+
+    put_number(size, 10UL, width, fill, value < 0);
 }
 
 void semihost_write(const char *text)
@@ -139,10 +142,10 @@ int printf(const char *restrict format, ...)
             put_signed(va_arg(values, long), width, fill);
             break;
         case 'u':
-            put_number(va_arg(values, unsigned long), 10UL, width, fill);
+            put_number(va_arg(values, unsigned long), 10UL, width, fill, false);
             break;
         case 'x':
-            put_number(va_arg(values, unsigned long), 16UL, width, fill);
+            put_number(va_arg(values, unsigned long), 16UL, width, fill, false);
             break;
         case 'c':
             put((char)va_arg(values, int));
