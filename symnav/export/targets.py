@@ -8,22 +8,26 @@ out, bit by bit, and how many instructions a call took. The same file runs on an
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import accumulate
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from symnav import ir
-from symnav.derive import Derivation
 from symnav.emit.templates import render
+from symnav.errors import ProofError
+from symnav.export import evaluation
 from symnav.export.records import Bundle, Tree
 from symnav.verify import sampling
 
 FOLDER = "test/semihost"
+Real = NDArray[Any]
 SAMPLES = 8
 ITEMS = 8
+DRAWN = 64
 SEED = 20
 TICK = 40
 """Instructions of one tick of the 25 MHz timer, when each takes a nanosecond of its clock."""
@@ -109,30 +113,58 @@ def _items(function: ir.Function) -> int:
 
 
 def _given(bundle: Bundle, tree: Tree, function: ir.Function) -> Iterator[Given]:
-    """Inputs of a function: random, and as good as the declared ranges are."""
-    drawn = _samples(bundle, _derivation(bundle, function), _items(function))
+    """Inputs of a function: random, inside the declared ranges, and none that a guard refuses."""
+    rows = _samples(bundle, function, tree.module.scalar)
     for argument in function.arguments:
-        of_type = "int32_t" if argument.integer else f"{tree.prefix}_real_t"
-        rows = [
-            _lines(_literal(element, argument, tree.module.scalar) for element in row)
-            for row in drawn[argument.name]
-        ]
-        size = argument.size * _room_of(function, argument.item)
-        yield Given(_name(tree, function, argument), of_type, size, tuple(rows))
+        yield Given(
+            name=_name(tree, function, argument),
+            type="int32_t" if argument.integer else f"{tree.prefix}_real_t",
+            size=argument.size * _room_of(function, argument.item),
+            rows=tuple(
+                _lines(_literal(element, argument, tree.module.scalar) for element in row)
+                for row in rows[argument.name]
+            ),
+        )
 
 
-def _derivation(bundle: Bundle, function: ir.Function) -> Derivation:
-    return next(d for d in bundle.derivations if d.name == function.name)
+def _samples(bundle: Bundle, function: ir.Function, scalar: ir.Scalar) -> dict[str, Real]:
+    """Every argument, a row for every sample, item after item.
+
+    An item that a guard refuses is replaced by another of its sample.
+
+    Raises:
+        ProofError: when guards refuse nearly everything that is drawn.
+    """
+    derivation = next(d for d in bundle.derivations if d.name == function.name)
+    drawn = sampling.draw(bundle.spec, derivation, DRAWN, SEED, _items(function))
+    flat = drawn.flat()
+    rows = {a.name: _typed(a, flat[a.name], scalar) for a in function.arguments}
+    items = drawn.items or 1
+    passed = evaluation.evaluate(function, scalar, rows).ok.reshape(-1, items)
+    random = [label == sampling.RANDOM for label in drawn.labels[::items]]
+    samples = np.flatnonzero(passed.any(axis=1) & random)[:SAMPLES]
+    if len(samples) < SAMPLES:
+        raise ProofError(
+            f"{function.name}: guards refuse nearly all that is drawn inside the declared ranges; "
+            "change the ranges or the equation"
+        )
+    good = [k * items + np.resize(np.flatnonzero(passed[k]), items) for k in samples]
+    return {
+        a.name: np.stack([rows[a.name][at if a.item else at[:1]].ravel() for at in good])
+        for a in function.arguments
+    }
 
 
-def _samples(
-    bundle: Bundle, derivation: Derivation, items: int
-) -> Mapping[str, NDArray[np.float64]]:
-    """Every argument, flat, for as many samples as are called; edges are for other tests."""
-    drawn = sampling.draw(bundle.spec, derivation, 4 * SAMPLES, SEED, items)
-    per = drawn.items or 1
-    plain = [k for k in range(drawn.count) if drawn.labels[k * per] == sampling.RANDOM][:SAMPLES]
-    return {name: a[plain].reshape(len(plain), -1) for name, a in drawn.arguments.items()}
+def _typed(argument: ir.Argument, rows: Real, scalar: ir.Scalar) -> Real:
+    """Rounded into the type, and back inside the range where that led out of it."""
+    if argument.integer:
+        return rows.astype(np.int32)
+    limits = [
+        evaluation.bounds(low, high, scalar)
+        for domain in argument.domains
+        for low, high in zip(domain.lower, domain.upper, strict=True)
+    ]
+    return np.clip(rows.astype(evaluation.kind_of(scalar)), *np.array(limits).T)
 
 
 def _name(tree: Tree, function: ir.Function, argument: ir.Argument) -> str:
@@ -143,9 +175,7 @@ def _literal(element: float, argument: ir.Argument, scalar: ir.Scalar) -> str:
     """Exact, in hexadecimal."""
     if argument.integer:
         return str(int(element))
-    if scalar is ir.Scalar.FLOAT:
-        return f"{float(np.float32(element)).hex()}F"
-    return float(element).hex()
+    return float(element).hex() + ("F" if scalar is ir.Scalar.FLOAT else "")
 
 
 def _forms(bundle: Bundle) -> Iterator[Form]:
