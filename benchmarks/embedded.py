@@ -119,7 +119,8 @@ def contestants(problem: Problem, folder: Path) -> Iterator[Contestant]:
 
 def compare(contestant: Contestant, given: Floats, printed: Sequence[str]) -> None:
     """Results of every record against 50 digits for the same rounded inputs."""
-    for record, line in zip(given, printed, strict=False):
+    results = [line for line in printed if line.startswith("out ")]
+    for record, line in zip(given, results, strict=True):
         words = np.array([int(word, 16) for word in line.split()[1:]], np.uint32)
         found = words.view(np.float32)[list(contestant.order)].astype(float)
         truth, scale = expected(contestant.problem, record.tolist())
