@@ -105,7 +105,7 @@ def measure(problem: Problem, target: Target, folder: Path) -> dict[str, Figures
             code=ARM.section_bytes(kept, "text|rodata"),
             flash=_loaded(program) - _loaded(empty),
             stack=stack_bytes(item.with_suffix(".su"), ARM.functions(kept)),
-            undefined=ARM.undefined(kept),
+            undefined=ARM.needed(kept),
         )
     return found
 

@@ -43,6 +43,12 @@ class Binutils:
         listed = said(f"{self.prefix}nm", "-u", str(item))
         return tuple(sorted(line.split()[-1] for line in listed.splitlines() if line.strip()))
 
+    def needed(self, kept: Path) -> tuple[str, ...]:
+        """Symbols the kept part of an object refers to; its list still holds those of the rest."""
+        stripped = kept.with_suffix(".stripped.o")
+        said(f"{self.prefix}objcopy", "--strip-unneeded", str(kept), str(stripped))
+        return self.undefined(stripped)
+
     def functions(self, item: Path) -> frozenset[str]:
         """Functions an object defines, seen from elsewhere or not."""
         listed = said(f"{self.prefix}nm", str(item)).splitlines()

@@ -284,12 +284,12 @@ def _scalar(source: Path, folder: Path) -> str:
 def _calls(place: Path, here: _Printed, there: _Printed) -> Iterator[Called]:
     """Every function that was called, compared and counted."""
     items = sorted((place / "src").glob("*.o"))
-    homes = {name: item for item in items if ".kept" not in item.name
+    homes = {name: item for item in items if ".kept." not in item.name
              for name in ARM.functions(item)}  # fmt: skip
     for symbol, form in there.forms.items():
         item = homes[symbol]
         kept = ARM.kept(item, symbol)
-        needed = {n for n in ARM.undefined(kept) if not n.startswith("__aeabi_")}
+        needed = {n for n in ARM.needed(kept) if not n.startswith("__aeabi_")}
         yield Called(
             symbol=symbol,
             scalar=form.scalar,
