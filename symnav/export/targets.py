@@ -138,10 +138,13 @@ def _samples(bundle: Bundle, function: ir.Function, scalar: ir.Scalar) -> dict[s
     derivation = next(d for d in bundle.derivations if d.name == function.name)
     drawn = sampling.draw(bundle.spec, derivation, DRAWN, SEED, _items(function))
     flat = drawn.flat()
-    rows = {a.name: _typed(a, flat[a.name], scalar) for a in function.arguments}
+    kinds = {
+        a.name: np.int32 if a.integer else evaluation.kind_of(scalar) for a in function.arguments
+    }
+    rows: dict[str, Real] = {name: flat[name].astype(kind) for name, kind in kinds.items()}
     items = drawn.items or 1
     passed = evaluation.evaluate(function, scalar, rows).ok.reshape(-1, items)
-    random = [label == sampling.RANDOM for label in drawn.labels[::items]]
+    random = np.array([label == sampling.RANDOM for label in drawn.labels[::items]])
     samples = np.flatnonzero(passed.any(axis=1) & random)[:SAMPLES]
     if len(samples) < SAMPLES:
         raise ProofError(
@@ -153,18 +156,6 @@ def _samples(bundle: Bundle, function: ir.Function, scalar: ir.Scalar) -> dict[s
         a.name: np.stack([rows[a.name][at if a.item else at[:1]].ravel() for at in good])
         for a in function.arguments
     }
-
-
-def _typed(argument: ir.Argument, rows: Real, scalar: ir.Scalar) -> Real:
-    """Rounded into the type, and back inside the range where that led out of it."""
-    if argument.integer:
-        return rows.astype(np.int32)
-    limits = [
-        evaluation.bounds(low, high, scalar)
-        for domain in argument.domains
-        for low, high in zip(domain.lower, domain.upper, strict=True)
-    ]
-    return np.clip(rows.astype(evaluation.kind_of(scalar)), *np.array(limits).T)
 
 
 def _name(tree: Tree, function: ir.Function, argument: ir.Argument) -> str:
