@@ -16,7 +16,9 @@ project_copyright = "2026, The symnav authors"
 version = release = __version__
 
 extensions = ["myst_parser", "sphinx.ext.mathjax", "reference_pages"]
-exclude_patterns = ["_build", "performance-results.md", "_generated/rounding_table.md"]
+exclude_patterns = [
+    "_build", "performance-results.md", "embedded-results.md", "_generated/rounding_table.md",
+]  # fmt: skip
 myst_enable_extensions = ["amsmath", "attrs_inline", "colon_fence", "deflist", "dollarmath"]
 myst_heading_anchors = 3
 

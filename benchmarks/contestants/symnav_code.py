@@ -3,13 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 from benchmarks.contestants.contestant import Contestant
+from benchmarks.contestants.single import mended_text
 from benchmarks.problems import Problem
-from symnav import pipeline
+from symnav import ir, pipeline
 from symnav.bench.adapters import EPOCHS, Entries
+from symnav.bench.candidate import Candidate
+from symnav.emit import c
 from symnav.emit.lanes import lanes_of
+from symnav.lower.module import module
+from symnav.spec.records import Spec
 
 FUNCTION = "model"
 PARTS = ("load", "kernel", "shared", "load_item", "item")
@@ -51,15 +57,51 @@ def contestants(problem: Problem, folder: Path) -> Iterator[Contestant]:
             )
 
 
-def generated(problem: Problem, folder: Path, *, guarded: bool) -> Entries:
-    """The entry points of the problem's package."""
+def in_single(problem: Problem, folder: Path) -> Iterator[Contestant]:
+    """Dense and non-zeros in single precision, without guards and with them.
+
+    A range to a satellite must be double and is refused as float elsewhere. Here floats compare
+    the code.
+    """
+    for guarded in (False, True):
+        place = folder / ("guarded" if guarded else "bare")
+        spec = specification(problem, place, guarded=guarded)
+        floats = tuple(replace(e, scalars=("double", "float")) for e in spec.entries)
+        single = replace(spec, entries=floats)
+        functions = pipeline.c_route(single, pipeline.derive(single))
+        tree = module(single, functions, ir.Scalar.FLOAT)
+        for path, text in c.emit(tree).items():
+            file = place / path
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(text, encoding="utf-8")
+        (function,) = (f for f in functions if f.name == FUNCTION)
+        entries = Entries(tree.name, function, place / "c", problem.items, f"_{problem.name}")
+        mark = "_guarded" if guarded else ""
+        limit = function.maximum or 0
+        yield _in_single(problem, entries.nonzeros(f"symnav_nz{mark}"), _nonzeros(problem, limit))
+        yield _in_single(problem, entries.dense(f"symnav_dense{mark}"), _dense(problem, 1))
+
+
+def _in_single(problem: Problem, candidate: Candidate, order: tuple[int, ...]) -> Contestant:
+    """The library is of floats already, its adapter becomes so."""
+    changed = replace(candidate, source=mended_text(candidate.source))
+    return Contestant(problem=problem, candidate=changed, order=order)
+
+
+def specification(problem: Problem, folder: Path, *, guarded: bool) -> Spec:
+    """The problem's specification, with or without guards."""
     text = problem.spec.read_text(encoding="utf-8")
     if not guarded:
         text = text.replace('name = "model"\n', 'name = "model"\nguards = "assume"\n')
     folder.mkdir(parents=True, exist_ok=True)
     file = folder / f"{problem.package}.toml"
     file.write_text(text, encoding="utf-8")
-    spec = pipeline.load(file)
+    return pipeline.load(file)
+
+
+def generated(problem: Problem, folder: Path, *, guarded: bool) -> Entries:
+    """The entry points of the problem's package."""
+    spec = specification(problem, folder, guarded=guarded)
     package = pipeline.generate(spec, folder, force=True).package
     (function,) = (f for f in pipeline.c_route(spec, pipeline.derive(spec)) if f.name == FUNCTION)
     label = f"_{problem.name}_{'guarded' if guarded else 'bare'}"

@@ -7,10 +7,7 @@ else the machine does meets all of them. Times of two programs do not.
 
 from __future__ import annotations
 
-import re
-import shutil
 import statistics
-import subprocess
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -20,8 +17,9 @@ import numpy as np
 import numpy.typing as npt
 
 from symnav.bench.candidate import Candidate
+from symnav.build import objects
+from symnav.build.objects import Binutils, said
 from symnav.emit.templates import directory
-from symnav.errors import BuildError
 
 Array = npt.NDArray[np.float64]
 
@@ -31,6 +29,8 @@ FLAG_SETS: Mapping[str, tuple[str, ...]] = {
     "native": ("-O3", "-march=native", "-fno-math-errno", "-fno-trapping-math"),
 }
 """The same for every candidate; ``v3`` is what AVX2 machines of the last ten years have."""
+
+HERE = Binutils()
 
 COMPILERS = {"c": ("gcc", "-std=gnu99"), "c++": ("g++", "-std=c++17")}
 
@@ -83,7 +83,7 @@ def built(candidates: Sequence[Candidate], flags: str, folder: Path) -> Program:
     harness = str(directory() / "bench" / "harness.c")
     libraries = ["-lm", *(["-lstdc++"] if any(c.language != "c" for c in candidates) else [])]
     files = [harness, str(table), *map(str, alone)]
-    _run(["gcc", "-O2", "-std=gnu11", *files, *libraries, "-o", str(executable)])
+    said("gcc", "-O2", "-std=gnu11", *files, *libraries, "-o", str(executable))
     return Program(tuple(candidates), tuple(objects), executable)
 
 
@@ -98,7 +98,7 @@ def run(program: Program, records: Array, repetitions: int) -> Run:
     folder = program.executable.parent
     given, taken = folder / "inputs.bin", folder / "outputs.bin"
     np.concatenate([np.array(records.shape, float), records.ravel()]).tofile(given)
-    printed = _run([str(program.executable), str(repetitions), str(given), str(taken)])
+    printed = said(str(program.executable), str(repetitions), str(given), str(taken))
     times: dict[str, list[float]] = defaultdict(list)
     for line in printed.splitlines():
         name, _, nanoseconds = line.partition(" ")
@@ -109,22 +109,13 @@ def run(program: Program, records: Array, repetitions: int) -> Run:
 
 def code_bytes(candidate: Candidate, item: Path) -> int:
     """Machine code that stays when nothing but the measured function is asked for."""
-    kept = _kept(candidate, item)
-    sections = re.findall(r"^(\.text\S*)\s+(\d+)", _run(["size", "-A", str(kept)]), re.MULTILINE)
-    return sum(int(size) for _, size in sections)
+    return HERE.section_bytes(HERE.kept(item, candidate.measured), "text")
 
 
 def stack_bytes(candidate: Candidate, item: Path) -> int:
     """Stack of the measured function and of all it calls in its file, by the compiler's account."""
-    symbols = _run(["nm", str(_kept(candidate, item))])
-    names = {line.split()[-1] for line in symbols.splitlines() if " t " in line.lower()}
-    total = 0
-    for line in item.with_suffix(".su").read_text(encoding="utf-8").splitlines():
-        place, size, _ = line.split("\t")
-        function = place.rpartition(":")[2]
-        if any(function == name or f"{name}(" in function for name in {*names, candidate.measured}):
-            total += int(size)
-    return total
+    functions = HERE.functions(HERE.kept(item, candidate.measured))
+    return objects.stack_bytes(item.with_suffix(".su"), functions | {candidate.measured})
 
 
 def _compiled(candidate: Candidate, flags: Sequence[str], folder: Path) -> Path:
@@ -134,7 +125,7 @@ def _compiled(candidate: Candidate, flags: Sequence[str], folder: Path) -> Path:
     target = source.with_suffix(".o")
     include = [f"-I{place}" for place in candidate.include]
     command = [*COMPILERS[candidate.language], *flags, "-ffunction-sections", "-fstack-usage"]
-    _run([*command, *include, "-c", str(source), "-o", str(target)])
+    said(*command, *include, "-c", str(source), "-o", str(target))
     return target
 
 
@@ -158,14 +149,8 @@ def _table(candidates: Sequence[Candidate]) -> str:
 def _alone(candidate: Candidate, item: Path) -> Path:
     """The object file with nothing to be seen but the adapter: two of one package never clash."""
     target = item.with_suffix(".alone.o")
-    _run(["objcopy", f"--keep-global-symbol={candidate.symbol}", str(item), str(target)])
+    said("objcopy", f"--keep-global-symbol={candidate.symbol}", str(item), str(target))
     return target
-
-
-def _kept(candidate: Candidate, item: Path) -> Path:
-    kept, root = item.with_suffix(".kept.o"), candidate.measured
-    _run(["ld", "-r", "--gc-sections", "-u", root, "-e", root, str(item), "-o", str(kept)])
-    return kept
 
 
 def _outputs(program: Program, records: int, written: Array) -> dict[str, Array]:
@@ -175,13 +160,3 @@ def _outputs(program: Program, records: int, written: Array) -> dict[str, Array]
         found[candidate.name] = written[at : at + calls * candidate.size].reshape(calls, -1)
         at += calls * candidate.size
     return found
-
-
-def _run(command: Sequence[str]) -> str:
-    """Standard output of a command that must succeed."""
-    if "/" not in command[0] and shutil.which(command[0]) is None:
-        raise BuildError(f"{command[0]} is needed to measure and is not installed")
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
-    if done.returncode:
-        raise BuildError(f"{' '.join(command[:2])} ...: {done.stderr.strip()[:2000]}")
-    return done.stdout
