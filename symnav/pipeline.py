@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from symnav.build import BuildResult
     from symnav.derive import Derivation
     from symnav.emit.manifest import CheckReport
-    from symnav.export import Tree
+    from symnav.export import Bundle, Tree
     from symnav.spec.records import Spec
     from symnav.verify.sheet import Finding, ProofSheet
 
@@ -287,14 +287,40 @@ def export(
         InputError: when the folder there is no bundle, or a value may err by more than the
             tolerance.
     """
-    from symnav import ir
     from symnav.emit import writing
-    from symnav.export import Bundle, Options, assemble
-    from symnav.export.error_bounds import refuse_beyond, with_bounds
+    from symnav.export import assemble
     from symnav.lower.module import digest
 
     if not force:
         writing.protect(folder)
+    made = bundle(spec, scalar, tolerance, progress)
+    text = assemble(made, progress)
+    progress("write")
+    scalars = [tree.module.scalar.value for tree in made.trees]
+    options = {"scalar": scalar, "tolerance": tolerance}
+    written = writing.write(folder, text, digest(spec), scalars, options)
+    contents = tuple(
+        (tree.prefix, tree.module.scalar.value, tuple(f.name for f in tree.module.functions))
+        for tree in made.trees
+    )
+    return Exported(folder, written, not written, made.name, contents)
+
+
+def bundle(
+    spec: Spec,
+    scalar: str = "double",
+    tolerance: float | None = None,
+    progress: Progress = _silent,
+) -> Bundle:
+    """What ``export`` writes, before its files are assembled; see there.
+
+    Raises:
+        InputError: when a value may err by more than the tolerance.
+    """
+    from symnav import ir
+    from symnav.export import Bundle, Options
+    from symnav.export.error_bounds import refuse_beyond, with_bounds
+
     progress("derive")
     derived = derive(spec)
     progress("lower")
@@ -305,17 +331,7 @@ def export(
     progress("emit")
     trees = tuple(_tree(module) for module in modules)
     derivations = (*derived.layout, *derived.entries)
-    bundle = Bundle(spec, derivations, trees, Options(ir.Scalar(scalar), tolerance))
-    text = assemble(bundle, progress)
-    progress("write")
-    scalars = [tree.module.scalar.value for tree in trees]
-    options = {"scalar": scalar, "tolerance": tolerance}
-    written = writing.write(folder, text, digest(spec), scalars, options)
-    contents = tuple(
-        (tree.prefix, tree.module.scalar.value, tuple(f.name for f in tree.module.functions))
-        for tree in trees
-    )
-    return Exported(folder, written, not written, bundle.name, contents)
+    return Bundle(spec, derivations, trees, Options(ir.Scalar(scalar), tolerance))
 
 
 def _modules(spec: Spec, derived: Derived, scalar: ir.Scalar) -> list[ir.Module]:

@@ -8,7 +8,7 @@ from math import prod
 from symnav import ir
 from symnav.emit import c
 from symnav.emit.c.documentation import status_text, statuses
-from symnav.emit.c.entry_points import EntryPoint
+from symnav.emit.c.entries import EntryPoint
 from symnav.emit.c.header import Section
 from symnav.emit.c.interface import range_text
 from symnav.emit.c.store import is_jacobian, layout_of

@@ -13,8 +13,8 @@ from pathlib import Path
 
 import pytest
 
-from symnav import ir, pipeline
-from symnav.export import Bundle, Options
+from symnav import pipeline
+from symnav.export import Bundle
 
 MODELS = tuple(name for name, _ in pipeline.shipped())
 QUICK = (("reference_relative", "double"), ("rover", "float"))
@@ -43,11 +43,7 @@ def bundle_of(model: str, scalar: str) -> Path:
 @functools.cache
 def records_of(model: str, scalar: str) -> Bundle:
     """What the bundle was assembled from."""
-    spec = pipeline.load(model)
-    derived = pipeline.derive(spec)
-    trees = pipeline._trees(spec, derived, ir.Scalar(scalar))
-    derivations = (*derived.layout, *derived.entries)
-    return Bundle(spec, derivations, trees, Options(ir.Scalar(scalar)))
+    return pipeline.bundle(pipeline.load(model), scalar)
 
 
 def files(folder: Path) -> dict[str, bytes]:
