@@ -30,24 +30,28 @@ class Kernel:
 
 
 def kernel_of(function: ir.Function) -> Kernel:
-    """Lay out the kernel of a function."""
+    """Lay out the kernel of a function.
+
+    What is evaluated once comes first; the part of one item is a function inside it, so that it
+    can run for all items at once or item by item.
+    """
     writer = _Writer(function)
-    body = [
-        *writer.loads(),
-        *writer.steps(function.shared, "check"),
-        *writer.steps(function.item, "check_item"),
-        *writer.results(),
-    ]
+    mapped = function.maximum is not None
     name = f"_{function.name}_kernel"
-    parameters = [f"{argument.name}: Any" for argument in function.arguments]
+    parameters = [_parameter(argument) for argument in function.arguments if not argument.item]
     head = call(name, "xp: Any", "guards: _arrays.Guards", *parameters)
+    returned = "_arrays.Mapped" if mapped else "_arrays.Nonzeros"
     array_function = call("_arrays.ArrayFunction", signature_name(function), name)
     public = call("_calls.publish", array_function, "__name__")
     return Kernel(
-        tuple(lay_out(head, before="def ", after=" -> _arrays.Nonzeros:")),
-        tuple(body),
+        tuple(lay_out(head, before="def ", after=f" -> {returned}:")),
+        tuple(writer.mapped() if mapped else writer.plain()),
         tuple(lay_out(public, before=f"{function.name} = ")),
     )
+
+
+def _parameter(argument: ir.Argument) -> str:
+    return f"{argument.name}: Any"
 
 
 class _Writer:
@@ -59,21 +63,54 @@ class _Writer:
         self._elements: dict[ir.Load, str] = {}
         self._references: dict[str, Text] = {}
         self._scope = Scope(self._references, lambda load: self._elements[load])
+        self._depth = 1
 
-    def loads(self) -> Iterator[str]:
-        """One local for every element that is read."""
+    def plain(self) -> Iterator[str]:
+        """The body of a function that is not mapped over items."""
+        yield from self._loads(items=False)
+        yield from self._steps(self._function.shared, "check")
+        yield from self._steps(self._function.item, "check_item")
+        yield from self._results(self._function.outputs)
+
+    def mapped(self) -> Iterator[str]:
+        """The shared part, the part of an item as a function, and both returned."""
+        outputs = self._function.outputs
+        item = self._claim("item")
+        yield from self._loads(items=False)
+        yield from self._steps(self._function.shared, "check")
+        yield ""
+        parameters = [
+            _parameter(argument) for argument in self._function.arguments if argument.item
+        ]
+        head = call(item, *parameters)
+        yield from lay_out(head, before="def ", after=" -> _arrays.Nonzeros:", depth=1)
+        self._depth = 2
+        yield from self._loads(items=True)
+        yield from self._steps(self._function.item, "check_item")
+        yield from self._results([output for output in outputs if output.item])
+        self._depth = 1
+        yield ""
+        yield from self._results([output for output in outputs if not output.item], f", {item}")
+
+    def _loads(self, *, items: bool) -> Iterator[str]:
+        """One local for every element that is read, of the items' arguments or of the others."""
         used = dict.fromkeys(_loads(self._function))
         for argument in self._function.arguments:
             for domain in argument.domains:
                 for place in range(domain.size):
                     load = ir.Load(argument.name, domain.start + place)
-                    if load in used:
+                    if argument.item == items and load in used:
                         yield from self._load(argument, domain, place, load)
         for load in used:
-            if isinstance(load.index, ir.Offset):
+            if isinstance(load.index, ir.Offset) and self._of_item(load) == items:
                 yield from self._pick(load, load.index)
 
-    def steps(self, steps: Iterable[ir.Step], check: str) -> Iterator[str]:
+    def _of_item(self, load: ir.Load) -> bool:
+        """True where an item's argument is read, or chooses what is read."""
+        chooser = isinstance(load.index, ir.Offset) and self._of_item(load.index.slot)
+        return chooser or argument_of(self._function, load.argument).item
+
+    def _steps(self, steps: Iterable[ir.Step], check: str) -> Iterator[str]:
         """Statements and guards."""
         for step in steps:
             value = text_of(step.value, self._scope)
@@ -85,16 +122,16 @@ class _Writer:
                 self._references[step.target] = value
             else:
                 target = self._claim(step.target)
-                yield from assignment(target, value.text, remark=step.comment)
+                yield from assignment(target, value.text, depth=self._depth, remark=step.comment)
                 self._references[step.target] = Text(target)
 
-    def results(self) -> Iterator[str]:
+    def _results(self, outputs: Iterable[ir.Output], after: str = "") -> Iterator[str]:
         """The structural non-zeros, one tuple for each output."""
-        outputs = [
+        found = [
             tuple_of(text_of(entry.value, self._scope).text for entry in output.entries)
-            for output in self._function.outputs
+            for output in outputs
         ]
-        yield from lay_out(tuple_of(outputs), before="return ", depth=1)
+        yield from lay_out(tuple_of(found), before="return ", after=after, depth=self._depth)
 
     def _load(
         self, argument: ir.Argument, domain: ir.Domain, place: int, load: ir.Load
@@ -109,7 +146,7 @@ class _Writer:
             words.append(domain.labels[place].strip() or str(place))
         name = self._claim("_".join(words))
         self._elements[load] = name
-        yield f"    {name} = {argument.name}[..., {load.index}]"
+        yield from assignment(name, f"{argument.name}[{load.index}]", depth=self._depth)
 
     def _pick(self, load: ir.Load, offset: ir.Offset) -> Iterator[str]:
         """An element that a run-time index chooses."""
@@ -120,14 +157,15 @@ class _Writer:
         slot = self._elements[offset.slot]
         ends = map(str, slot_range(self._function, offset, argument.size))
         parts = [load.argument, str(offset.base), slot, *ends]
-        yield from lay_out(call("guards.pick", *parts), before=f"{name} = ", depth=1)
+        yield from lay_out(call("guards.pick", *parts), before=f"{name} = ", depth=self._depth)
 
     def _guard(self, check: ir.Check, target: str, value: str, method: str) -> Iterator[str]:
         bounds = [number(bound).text for bound in (check.lower, check.upper, check.substitute)]
         status = f"_runtime.Status.{check.status.name}"
         guard = call(f"guards.{method}", value, *bounds, status)
-        yield from (f"    # {line}" for line in filter(None, [check.comment.strip()]))
-        yield from lay_out(guard, before=f"{target} = ", depth=1)
+        indent = "    " * self._depth
+        yield from (f"{indent}# {line}" for line in filter(None, [check.comment.strip()]))
+        yield from lay_out(guard, before=f"{target} = ", depth=self._depth)
 
     def _claim(self, wish: str) -> str:
         """A local of the nearest free name."""

@@ -14,11 +14,15 @@ from symnav.emit.templates import render
 
 _STATIC = (
     "_arrays.py",
+    "_blocks.py",
     "_calls.py",
     "_compiled.py",
     "_explain.py",
     "_extension.py",
     "_foreign.py",
+    "_kernels.py",
+    "_masked.py",
+    "_numbers.py",
     "_places.py",
     "_runtime.py",
     "_state.py",
