@@ -9,9 +9,11 @@ at in detail. The non-zeros are put together as rows as well and copied to where
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+import operator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from operator import le
+from itertools import product
+from operator import itemgetter, le
 from typing import Any
 
 import numpy as np
@@ -34,6 +36,9 @@ from ._runtime import (
     output_shape,
     outputs_of,
 )
+
+#: Elements by argument: a row, or rows and None for what is not read.
+Elements = dict[str, Any]
 
 #: Numbers in a row: less, and calls take longer than arithmetic; more, and the cache overflows.
 LENGTH = 4096
@@ -78,81 +83,80 @@ def _within(value: Array, lower: float, upper: float) -> bool:
 
 
 class Table:
-    """Arguments that share their axes, as rows of elements."""
+    """Where the elements of some arguments with the same axes stand, one row for each.
 
-    def __init__(self, signature: Signature, given: Sequence[tuple[Argument, Array]]) -> None:
-        self._given = given
-        self._guarded = [a for a, _ in given if signature.guarded or a.integer]
-        self._rows: list[tuple[Argument, list[int | None]]] = []
+    Elements that the function does not read have no row.
+    """
+
+    def __init__(self, arguments: Sequence[Argument], guarded: bool) -> None:
         self._low: list[float] = []
         self._high: list[float] = []
         self._norms: list[tuple[Kind, slice, float]] = []
-        for argument, _ in given:
-            self._plan(argument, argument in self._guarded)
+        self._rows = [
+            (argument, self._plan(argument, guarded or argument.integer)) for argument in arguments
+        ]
+        self._cuts = [(argument, _cuts(argument)) for argument in arguments]
 
-    def _plan(self, argument: Argument, guarded: bool) -> None:
-        """Finds the rows of the elements that are read, and their bounds."""
+    def _plan(self, argument: Argument, guarded: bool) -> list[int | None]:
+        """The rows of the elements of an argument; their bounds are noted."""
         rows: list[int | None] = [None] * argument.size
         for domain in argument.domains:
             if domain.kind is Kind.UNREAD:
                 continue
             first = len(self._low)
             rows[domain.start : domain.start + domain.size] = range(first, first + domain.size)
-            low = domain.lower if guarded else (-math.inf,) * domain.size
-            high = domain.upper if guarded else (math.inf,) * domain.size
-            largest = _LARGEST if guarded else math.inf
-            self._low += [max(bound, -largest) for bound in low]
-            self._high += [min(bound, largest) for bound in high]
+            endless = (math.inf,) * domain.size
+            self._low += [max(b, -_LARGEST) for b in domain.lower] if guarded else _negated(endless)
+            self._high += [min(b, _LARGEST) for b in domain.upper] if guarded else endless
             if guarded and domain.kind in (Kind.QUATERNION, Kind.MATRIX):
                 self._norms.append((domain.kind, slice(first, len(self._low)), domain.tolerance))
-        self._rows.append((argument, rows))
+        return rows
 
-    def read(self, epochs: slice, real: Any) -> tuple[dict[str, Any], bool]:
+    def read(self, arrays: Mapping[str, Array], own: slice, real: Any) -> tuple[Elements, bool]:
         """The elements of some epochs by argument, and whether all of them pass."""
-        parts = [
-            turned for argument, array in self._given for turned in _read(argument, array[epochs])
-        ]
+        parts = []
+        for argument, cuts in self._cuts:
+            turned = arrays[argument.name][own].T
+            parts += [turned[None]] if argument.scalar else [turned[cut] for cut in cuts]
         if not parts:
-            return {a.name: [None] * a.size for a, _ in self._given}, True
-        shape = (len(self._low), *parts[0].shape[1:])
-        table = np.concatenate(parts, out=np.empty(shape, dtype=real))
-        rows = list(table)
+            return {a.name: [None] * a.size for a, _ in self._cuts}, True
+        table: Array = np.empty((len(self._low), *parts[0].shape[1:]), dtype=real)
+        np.concatenate(parts, out=table)
+        rows = [*table, None]
         elements = {
             argument.name: rows[places[0] or 0]
             if argument.scalar
-            else [None if place is None else rows[place] for place in places]
+            else [rows[-1 if place is None else place] for place in places]
             for argument, places in self._rows
         }
-        return elements, not table.size or self._passes(np.real(table), rows)
+        return elements, not table.size or self._passes(np.real(table))
 
-    def _passes(self, table: Array, rows: Sequence[Array]) -> bool:
+    def _passes(self, table: Array) -> bool:
         flat = table.reshape(len(table), -1)
-        lowest, highest = flat.min(axis=1).tolist(), flat.max(axis=1).tolist()
-        if not (all(map(le, self._low, lowest)) and all(map(le, highest, self._high))):
+        lowest, highest = np.minimum.reduce(flat, axis=1), np.maximum.reduce(flat, axis=1)
+        if not all(map(le, self._low, lowest.tolist())):
+            return False
+        if not all(map(le, highest.tolist(), self._high)):
             return False
         return all(_normal(kind, flat[own], tolerance) for kind, own, tolerance in self._norms)
 
-    def inspect(self, epochs: slice, guards: Guards) -> None:
-        """Looks at every element of some epochs."""
-        for argument, array in self._given:
-            if argument in self._guarded:
-                own = np.real(array[epochs]).astype(np.float64, copy=False)
-                guards.load(argument, np.moveaxis(own, 1, 0) if argument.item else own)
+
+def _negated(bounds: Sequence[float]) -> list[float]:
+    return [-bound for bound in bounds]
 
 
-def _read(argument: Argument, array: Array) -> Iterator[Array]:
-    """The elements that are read as rows, in pieces."""
-    if argument.scalar:
-        yield array.T[None]
-        return
-    start, stop = 0, 0
-    for domain in (d for d in argument.domains if d.kind is not Kind.UNREAD):
-        if domain.start != stop and stop > start:
-            yield array.T[start:stop]
-        start = start if domain.start == stop and stop > start else domain.start
+def _cuts(argument: Argument) -> list[slice]:
+    """The elements of an argument that are read, in as few pieces as there are."""
+    cuts: list[slice] = []
+    for domain in argument.domains:
+        if domain.kind is Kind.UNREAD:
+            continue
         stop = domain.start + domain.size
-    if stop > start:
-        yield array.T[start:stop]
+        if cuts and cuts[-1].stop == domain.start:
+            cuts[-1] = slice(cuts[-1].start, stop)
+        else:
+            cuts.append(slice(domain.start, stop))
+    return cuts
 
 
 def _normal(kind: Kind, rows: Array, tolerance: float) -> bool:
@@ -174,6 +178,8 @@ class Layout:
         size: elements of one item.
         runs: first and last column (exclusive) of what is copied at once, short gaps included.
         complete: True when the runs cover every column.
+        arrange: from non-zeros to one row, or number, for every column; None where some places
+            depend on a run-time index.
     """
 
     output: Output
@@ -181,6 +187,7 @@ class Layout:
     size: int
     runs: tuple[tuple[int, int], ...]
     complete: bool
+    arrange: Callable[[Sequence[Any]], Sequence[Any]] | None
 
 
 def _layout(output: Output, number: int, part: Part) -> Layout:
@@ -198,7 +205,19 @@ def _layout(output: Output, number: int, part: Part) -> Layout:
         runs[0] = (0, runs[0][1])
     if runs and size - runs[-1][1] < _GAP:
         runs[-1] = (runs[-1][0], size)
-    return Layout(output, number, size, tuple(runs), runs == [(0, size)])
+    arrange = None if part is Part.NONZEROS else _arrangement(output)
+    return Layout(output, number, size, tuple(runs), runs == [(0, size)], arrange)
+
+
+def _arrangement(output: Output) -> Callable[[Sequence[Any]], Sequence[Any]] | None:
+    """A function that spreads non-zeros over all columns, zeros between them."""
+    if output.size < 2 or any(isinstance(place, Slot) for place in output.places):
+        return None
+    sources = [len(output.places)] * output.size
+    for number, place in enumerate(output.places):
+        sources[operator.index(place)] = number
+    pick = itemgetter(*sources)
+    return lambda values: pick((*values, 0.0))
 
 
 def _columns(output: Output) -> Iterator[int]:
@@ -217,11 +236,9 @@ class Rows:
         self._shape, self._real = shape, real
         self._constants: dict[float, Array] = {}
 
-    def whole(self, value: Any) -> Array:
-        """A row of its full length."""
+    def _whole(self, value: Any) -> Array:
+        """A row of its full length from a number, or from an array that broadcasts to it."""
         if isinstance(value, np.ndarray):
-            if value.shape == self._shape:
-                return value
             row = np.empty(self._shape, dtype=self._real)
             row[...] = value
             return row
@@ -232,16 +249,16 @@ class Rows:
 
     def store(self, layout: Layout, rows: Sequence[Any], target: Array) -> None:
         """Writes the rows of some epochs, (epochs, items if any, elements)."""
+        shape = self._shape
         if not layout.complete:
             target.fill(0.0)
         for start, stop in layout.runs:
-            parts = [self.whole(row) for row in rows[start:stop]]
-            if len(parts) == 1:
-                target[..., start] = parts[0].T
-                continue
-            lead, *rest = self._shape
-            joined = np.concatenate(parts)
-            target[..., start:stop] = joined.reshape(stop - start, lead, *rest).T
+            parts = [
+                row if type(row) is np.ndarray and row.shape == shape else self._whole(row)
+                for row in rows[start:stop]
+            ]
+            joined = np.concatenate(parts).reshape((stop - start, *shape))
+            target[..., start:stop] = joined.T
 
 
 class Blocks:
@@ -257,6 +274,7 @@ class Blocks:
             ]
             for part in Part
         }
+        self._tables: dict[tuple[bool, ...], tuple[list[Table], list[Table]]] = {}
 
     def evaluate(
         self,
@@ -284,31 +302,78 @@ class Blocks:
         ]
         length = max(LENGTH // max(1, items or 1), 1)
         with np.errstate(all="ignore"):
-            sources = list(self._sources(arrays, extent, count))
+            source = self._source(arrays, extent, count, real)
             for start in range(0, count, length):
                 own = slice(start, min(start + length, count))
                 found = [result[own] for result in results]
-                block.evaluate(sources, own, found, status[own], item_status[own])
+                block.evaluate(source, own, found, status[own], item_status[own])
         verdict = Status(int(status[0])) if extent.batch == () else status.reshape(extent.batch)
         if items is None:
             return Evaluation(outputs, verdict, None)
         return Evaluation(outputs, verdict, item_status.reshape((*extent.batch, items)))
 
-    def _sources(
-        self, arrays: Sequence[Array], extent: Extent, count: int
-    ) -> Iterator[tuple[Table, bool]]:
-        """The arguments, those with equal axes together, and whether all epochs share them."""
-        groups: dict[tuple[bool, bool], list[tuple[Argument, Array]]] = {}
+    def _source(self, arrays: Sequence[Array], extent: Extent, count: int, real: Any) -> Source:
+        """Arguments with one leading axis, of length one where all epochs share them."""
+        flat, shared = {}, []
         for argument, array in zip(self._signature.arguments, arrays, strict=True):
-            lead = array.shape[: array.ndim - argument.rank]
-            own = array.shape[array.ndim - argument.rank :]
-            shared = math.prod(lead) == 1 and count != 1
-            if not shared and lead != extent.batch:
+            axes = array.ndim - argument.rank
+            lead, own = array.shape[:axes], array.shape[axes:]
+            shared.append(count != 1 and math.prod(lead) == 1)
+            if not shared[-1] and lead != extent.batch:
                 array = np.broadcast_to(array, (*extent.batch, *own))
-            flat = array.reshape((1 if shared else count, *own))
-            groups.setdefault((shared, argument.item), []).append((argument, flat))
-        for (shared, _), given in groups.items():
-            yield Table(self._signature, given), shared
+            flat[argument.name] = array.reshape((1 if shared[-1] else count, *own))
+        key = tuple(shared)
+        if key not in self._tables:
+            self._tables[key] = self._grouped(key)
+        return Source(self._signature, flat, real, *self._tables[key])
+
+    def _grouped(self, shared: Sequence[bool]) -> tuple[list[Table], list[Table]]:
+        """Tables of what all epochs share and of what each has, items and the rest apart."""
+        found: tuple[list[Table], list[Table]] = ([], [])
+        arguments = self._signature.arguments
+        for together, item in product((True, False), (False, True)):
+            pairs = zip(arguments, shared, strict=True)
+            chosen = [a for a, own in pairs if own == together and a.item == item]
+            if chosen:
+                found[not together].append(Table(chosen, self._signature.guarded))
+        return found
+
+
+class Source:
+    """The arguments of one call."""
+
+    def __init__(
+        self,
+        signature: Signature,
+        arrays: Mapping[str, Array],
+        real: Any,
+        shared: Sequence[Table],
+        own: Sequence[Table],
+    ) -> None:
+        self._signature, self._arrays, self._real, self._own = signature, arrays, real, own
+        self._elements: Elements = {}
+        self._passed = True
+        for table in shared:
+            elements, passed = table.read(arrays, slice(0, 1), real)
+            self._elements |= elements
+            self._passed &= passed
+
+    def read(self, epochs: slice, guards: BlockGuards) -> Elements:
+        """The elements of some epochs; the guards look closely where any of them is bad."""
+        found, passed = dict(self._elements), self._passed
+        for table in self._own:
+            elements, fine = table.read(self._arrays, epochs, self._real)
+            found |= elements
+            passed &= fine
+        if not passed:
+            guards.noted = True
+            for argument in self._signature.arguments:
+                if self._signature.guarded or argument.integer:
+                    array = self._arrays[argument.name]
+                    array = np.real(array if len(array) == 1 else array[epochs])
+                    array = array.astype(np.float64, copy=False)
+                    guards.load(argument, np.moveaxis(array, 1, 0) if argument.item else array)
+        return found
 
 
 def _own(layout: Layout, items: int | None) -> tuple[int, ...]:
@@ -340,21 +405,15 @@ class Block:
 
     def evaluate(
         self,
-        sources: Sequence[tuple[Table, bool]],
+        source: Source,
         epochs: slice,
         results: Sequence[Array],
         status: Array,
         item_status: Array,
     ) -> None:
         """Fills in the outputs and the status of some epochs."""
-        guards, elements = BlockGuards(self.real), {}
-        for table, shared in sources:
-            own = slice(0, 1) if shared else epochs
-            read, passed = table.read(own, self.real)
-            elements.update(read)
-            if not passed:
-                table.inspect(own, guards)
-                guards.noted = True
+        guards = BlockGuards(self.real)
+        elements = source.read(epochs, guards)
         signature = self.function.signature
         space = ComplexStep(np) if self.real.kind == "c" else np
         found = run(signature, self.kernel, space, guards, elements)
@@ -369,12 +428,12 @@ class Block:
         if not direct:
             noted = np.broadcast_to(guards.shared, (count,))
             by_item = np.broadcast_to(guards.item, (items, count)).T if signature.mapped else None
-            self._settle(Computed(whole, noted, by_item), results, status, item_status)
+            self._settle(Computed(list(whole), noted, by_item), results, status, item_status)
 
-    def _rows(
-        self, layout: Layout, values: Sequence[Any], elements: dict[str, Any]
-    ) -> Sequence[Any]:
-        """One row, or number, for every element of an output."""
+    def _rows(self, layout: Layout, values: Sequence[Any], elements: Elements) -> Sequence[Any]:
+        """One row, or number, for every column of an output."""
+        if layout.arrange is not None:
+            return layout.arrange(values)
         if self.part is Part.NONZEROS:
             return values
         rows: list[Any] = [0.0] * layout.size
