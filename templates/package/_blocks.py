@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import product
 from operator import itemgetter, le
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -33,7 +33,6 @@ from ._runtime import (
     Signature,
     Slot,
     Status,
-    output_shape,
     outputs_of,
 )
 
@@ -42,6 +41,8 @@ Elements = dict[str, Any]
 
 #: Numbers in a row: less, and calls take longer than arithmetic; more, and the cache overflows.
 LENGTH = 4096
+#: Fewest epochs in a block, however many items: what items share has rows of this length.
+SHORTEST = 512
 
 _LARGEST = float(np.finfo(np.float64).max)
 _ROUNDING = 1e-14
@@ -92,14 +93,18 @@ class Table:
         self._low: list[float] = []
         self._high: list[float] = []
         self._norms: list[tuple[Kind, slice, float]] = []
-        self._rows = [
-            (argument, self._plan(argument, guarded or argument.integer)) for argument in arguments
+        self._picks = [
+            (argument.name, self._plan(argument, guarded or argument.integer))
+            for argument in arguments
         ]
         self._cuts = [(argument, _cuts(argument)) for argument in arguments]
 
-    def _plan(self, argument: Argument, guarded: bool) -> list[int | None]:
-        """The rows of the elements of an argument; their bounds are noted."""
-        rows: list[int | None] = [None] * argument.size
+    def _plan(self, argument: Argument, guarded: bool) -> Callable[[Sequence[Any]], Any]:
+        """A function that takes the elements of an argument from the rows; notes their bounds.
+
+        Behind the rows there is None, for what is not read.
+        """
+        rows = [-1] * argument.size
         for domain in argument.domains:
             if domain.kind is Kind.UNREAD:
                 continue
@@ -110,7 +115,9 @@ class Table:
             self._high += [min(b, _LARGEST) for b in domain.upper] if guarded else endless
             if guarded and domain.kind in (Kind.QUATERNION, Kind.MATRIX):
                 self._norms.append((domain.kind, slice(first, len(self._low)), domain.tolerance))
-        return rows
+        if argument.size > 1 or argument.scalar:
+            return itemgetter(*rows)
+        return lambda found: [found[rows[0]]]
 
     def read(self, arrays: Mapping[str, Array], own: slice, real: Any) -> tuple[Elements, bool]:
         """The elements of some epochs by argument, and whether all of them pass."""
@@ -119,17 +126,12 @@ class Table:
             turned = arrays[argument.name][own].T
             parts += [turned[None]] if argument.scalar else [turned[cut] for cut in cuts]
         if not parts:
-            return {a.name: [None] * a.size for a, _ in self._cuts}, True
+            return {argument.name: [None] * argument.size for argument, _ in self._cuts}, True
         table: Array = np.empty((len(self._low), *parts[0].shape[1:]), dtype=real)
         np.concatenate(parts, out=table)
         rows = [*table, None]
-        elements = {
-            argument.name: rows[places[0] or 0]
-            if argument.scalar
-            else [rows[-1 if place is None else place] for place in places]
-            for argument, places in self._rows
-        }
-        return elements, not table.size or self._passes(np.real(table))
+        elements = {name: pick(rows) for name, pick in self._picks}
+        return elements, not table.size or self._passes(table.real)
 
     def _passes(self, table: Array) -> bool:
         flat = table.reshape(len(table), -1)
@@ -175,7 +177,8 @@ class Layout:
     Attributes:
         output: which one.
         number: its place in what the kernel returns.
-        size: elements of one item.
+        shape: of one item, or of one epoch.
+        size: elements of that.
         runs: first and last column (exclusive) of what is copied at once, short gaps included.
         complete: True when the runs cover every column.
         arrange: from non-zeros to one row, or number, for every column; None where some places
@@ -184,6 +187,7 @@ class Layout:
 
     output: Output
     number: int
+    shape: tuple[int, ...]
     size: int
     runs: tuple[tuple[int, int], ...]
     complete: bool
@@ -193,8 +197,9 @@ class Layout:
 def _layout(output: Output, number: int, part: Part) -> Layout:
     if part is Part.NONZEROS:
         size, columns = len(output.places), list(range(len(output.places)))
+        shape: tuple[int, ...] = (size,)
     else:
-        size, columns = output.size, sorted(_columns(output))
+        size, columns, shape = output.size, sorted(_columns(output)), output.shape
     runs: list[tuple[int, int]] = []
     for column in columns:
         if runs and column - runs[-1][1] < _GAP:
@@ -206,7 +211,7 @@ def _layout(output: Output, number: int, part: Part) -> Layout:
     if runs and size - runs[-1][1] < _GAP:
         runs[-1] = (runs[-1][0], size)
     arrange = None if part is Part.NONZEROS else _arrangement(output)
-    return Layout(output, number, size, tuple(runs), runs == [(0, size)], arrange)
+    return Layout(output, number, shape, size, tuple(runs), runs == [(0, size)], arrange)
 
 
 def _arrangement(output: Output) -> Callable[[Sequence[Any]], Sequence[Any]] | None:
@@ -285,13 +290,14 @@ class Blocks:
         reference: int | None = None,
     ) -> Evaluation:
         """Outputs of a part, or all of them as differences to the item ``reference``."""
-        count, items, layouts = math.prod(extent.batch), extent.items, self._layouts[part]
-        floats = [array.dtype for array in arrays if array.dtype.kind in "fc"]
-        real = np.result_type(*floats) if floats else self._function.real
+        batch, items = extent
+        count, layouts = math.prod(batch), self._layouts[part]
+        real = self._function.real
+        if any(array.dtype.kind == "c" for array in arrays):
+            real = np.result_type(real, *(a.dtype for a in arrays if a.dtype.kind == "c"))
         left = items if items is None or reference is None else items - 1
-        outputs = out or [
-            np.empty(output_shape(layout.output, part, Extent(extent.batch, left)), dtype=real)
-            for layout in layouts
+        outputs: list[Array] = out or [
+            np.empty((*batch, *_own(layout, left), *layout.shape), dtype=real) for layout in layouts
         ]
         status: Array = np.zeros(count, dtype=np.uint8)
         item_status: Array = np.zeros((count, items or 0), dtype=np.uint8)
@@ -300,27 +306,27 @@ class Blocks:
             array.reshape((count, *_own(layout, left), layout.size))
             for layout, array in zip(layouts, outputs, strict=True)
         ]
-        length = max(LENGTH // max(1, items or 1), 1)
+        length = max(LENGTH // max(1, items or 1), SHORTEST)
         with np.errstate(all="ignore"):
             source = self._source(arrays, extent, count, real)
             for start in range(0, count, length):
                 own = slice(start, min(start + length, count))
                 found = [result[own] for result in results]
                 block.evaluate(source, own, found, status[own], item_status[own])
-        verdict = Status(int(status[0])) if extent.batch == () else status.reshape(extent.batch)
+        verdict = Status(int(status[0])) if batch == () else status.reshape(batch)
         if items is None:
             return Evaluation(outputs, verdict, None)
-        return Evaluation(outputs, verdict, item_status.reshape((*extent.batch, items)))
+        return Evaluation(outputs, verdict, item_status.reshape((*batch, items)))
 
     def _source(self, arrays: Sequence[Array], extent: Extent, count: int, real: Any) -> Source:
         """Arguments with one leading axis, of length one where all epochs share them."""
-        flat, shared = {}, []
+        flat, shared, batch = {}, [], extent.batch
         for argument, array in zip(self._signature.arguments, arrays, strict=True):
             axes = array.ndim - argument.rank
             lead, own = array.shape[:axes], array.shape[axes:]
-            shared.append(count != 1 and math.prod(lead) == 1)
-            if not shared[-1] and lead != extent.batch:
-                array = np.broadcast_to(array, (*extent.batch, *own))
+            shared.append(lead != batch and math.prod(lead) == 1)
+            if not shared[-1] and lead != batch:
+                array = np.broadcast_to(array, (*batch, *own))
             flat[argument.name] = array.reshape((1 if shared[-1] else count, *own))
         key = tuple(shared)
         if key not in self._tables:
@@ -381,8 +387,7 @@ def _own(layout: Layout, items: int | None) -> tuple[int, ...]:
     return (items,) if items is not None and layout.output.item else ()
 
 
-@dataclass(frozen=True)
-class Block:
+class Block(NamedTuple):
     """The evaluation of some epochs.
 
     Attributes:
@@ -457,8 +462,10 @@ class Block:
     ) -> None:
         """Masks what failed and puts the rest where it belongs."""
         extent = Extent(status.shape, None if computed.item is None else item_status.shape[1])
-        shapes = (output_shape(layout.output, self.part, extent) for layout in self.layouts)
-        outputs = [a.reshape(shape) for a, shape in zip(computed.outputs, shapes, strict=True)]
+        outputs = [
+            array.reshape((*status.shape, *_own(layout, extent.items), *layout.shape))
+            for layout, array in zip(self.layouts, computed.outputs, strict=True)
+        ]
         computed = computed._replace(outputs=outputs)
         if self.reference is not None:
             computed = self.function.differenced(np, computed, self.reference)

@@ -6,13 +6,12 @@ is left to the arrays, which know what to say about it.
 
 from __future__ import annotations
 
-import cmath
 import math
 import operator
 from collections.abc import Callable, Mapping, Sequence
 from operator import itemgetter, le
 from struct import Struct, pack_into
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -107,81 +106,96 @@ class _Guards:
         return elements[base + index]
 
 
-class _Reader:
-    """Turns one argument into numbers and guards them."""
+class _Limits(NamedTuple):
+    """The guards of one argument.
 
-    def __init__(self, argument: Argument, guarded: bool) -> None:
-        self._argument = argument
-        self._shape = () if argument.scalar else (argument.size,)
-        checked = [
-            domain
-            for domain in argument.domains
-            if (guarded or argument.integer) and domain.kind is not Kind.UNREAD
-        ]
-        self._ranges = [
-            (domain.start + k, max(lower, -_LARGEST), min(upper, _LARGEST))
-            for domain in checked
-            for k, (lower, upper) in enumerate(zip(domain.lower, domain.upper, strict=True))
-        ]
-        self._norms = [
-            (domain.kind, slice(domain.start, domain.start + domain.size), domain.tolerance)
-            for domain in checked
-            if domain.kind in (Kind.QUATERNION, Kind.MATRIX)
-        ]
-        places, lows, highs = zip(*self._ranges, strict=True) if self._ranges else ((), (), ())
-        self._low, self._high = lows, highs
-        whole = places == tuple(range(argument.size))
-        self._chosen = None if whole or not places else _picker(places)
-        self._kinds = "iu" if argument.integer else "d"
+    Attributes:
+        places: elements that have a range.
+        low: their smallest values.
+        high: their largest values.
+        norms: runs of elements that have a norm, with its tolerance.
+    """
 
-    def shared(self, value: Any) -> Any:
-        """The elements of an argument that all items share, or its one element."""
-        if self._argument.scalar:
-            return self._single(value)
-        if type(value) is not np.ndarray or value.shape != self._shape or not self._fits(value):
+    places: tuple[int, ...]
+    low: tuple[float, ...]
+    high: tuple[float, ...]
+    norms: tuple[tuple[Kind, slice, float], ...]
+
+
+def _limits(argument: Argument, guarded: bool) -> _Limits:
+    places: list[int] = []
+    low: list[float] = []
+    high: list[float] = []
+    norms = []
+    for domain in argument.domains:
+        if domain.kind is Kind.UNREAD or not (guarded or argument.integer):
+            continue
+        own = slice(domain.start, domain.start + domain.size)
+        places += range(own.start, own.stop)
+        low += [max(bound, -_LARGEST) for bound in domain.lower]
+        high += [min(bound, _LARGEST) for bound in domain.upper]
+        if domain.kind in (Kind.QUATERNION, Kind.MATRIX):
+            norms.append((domain.kind, own, domain.tolerance))
+    return _Limits(tuple(places), tuple(low), tuple(high), tuple(norms))
+
+
+def _fits(argument: Argument, value: Array) -> bool:
+    return bool(value.dtype.char == "d" or (argument.integer and value.dtype.kind in "iu"))
+
+
+def _shared_reader(argument: Argument, guarded: bool) -> Callable[[Any], Any]:
+    """A function that turns an argument of all items into its numbers and guards them."""
+    places, low, high, norms = _limits(argument, guarded)
+    shape = (argument.size,)
+    chosen = None if places == tuple(range(argument.size)) else _picker(places)
+    array = np.ndarray
+
+    def read(value: Any) -> Any:
+        if type(value) is not array or value.shape != shape or not _fits(argument, value):
             raise Unfit
         numbers = value.tolist()
-        if self._ranges:
-            checked = numbers if self._chosen is None else self._chosen(numbers)
-            if not (all(map(le, self._low, checked)) and all(map(le, checked, self._high))):
-                raise Unfit
-        for kind, place, tolerance in self._norms:
-            if not max(norm_defects(kind, numbers[place])) <= tolerance:
+        checked = numbers if chosen is None else chosen(numbers)
+        if not (all(map(le, low, checked)) and all(map(le, checked, high))):
+            raise Unfit
+        for kind, own, tolerance in norms:
+            if not max(norm_defects(kind, numbers[own])) <= tolerance:
                 raise Unfit
         return numbers
 
-    def items(self, value: Any) -> tuple[int, Any]:
-        """How many items there are, and the rows of their elements."""
-        if type(value) is not np.ndarray or value.shape[1:] != self._shape or not self._fits(value):
+    def read_one(value: Any) -> Any:
+        if isinstance(value, array) and value.shape == () and _fits(argument, value):
+            value = value.item()
+        if not isinstance(value, int if argument.integer else (float, int)):
+            raise Unfit
+        number = value if argument.integer else float(value)
+        if not all(lower <= number <= upper for lower, upper in zip(low, high, strict=True)):
+            raise Unfit
+        return number
+
+    return read_one if argument.scalar else read
+
+
+def _items_reader(argument: Argument, guarded: bool) -> Callable[[Any], tuple[int, Any]]:
+    """The same for an argument of each item: how many there are, and the rows of their numbers."""
+    places, low, high, norms = _limits(argument, guarded)
+    limits = list(zip(places, low, high, strict=True))
+    rank, own = argument.rank, () if argument.scalar else (argument.size,)
+
+    def read(value: Any) -> tuple[int, Any]:
+        if type(value) is not np.ndarray or value.ndim != rank or value.shape[1:] != own:
             raise Unfit
         count = len(value)
-        if self._norms or not 0 < count <= MOST_ITEMS or value.ndim == 0:
+        if norms or not 0 < count <= MOST_ITEMS or not _fits(argument, value):
             raise Unfit
-        columns = value.T.tolist()
-        if self._argument.scalar:
-            columns = [columns]
-        for place, low, high in self._ranges:
-            own = columns[place]
-            if not (low <= min(own) and max(own) <= high and not cmath.isnan(sum(own))):
+        columns = [value.tolist()] if argument.scalar else value.T.tolist()
+        for place, lower, upper in limits:
+            column = columns[place]
+            # NaN is neither the smallest nor the largest, but the sum knows.
+            if not lower <= min(column) <= max(column) <= upper or math.isnan(sum(column)):
                 raise Unfit
-        return count, columns[0] if self._argument.scalar else zip(*columns, strict=True)
+        return count, columns[0] if argument.scalar else zip(*columns, strict=True)
 
-    def _single(self, value: Any) -> Any:
-        if type(value) is np.ndarray and value.ndim == 0 and self._fits(value):
-            value = value.item()
-        elif isinstance(value, (float, int)) and not (
-            self._argument.integer and isinstance(value, float)
-        ):
-            value = value if self._argument.integer else float(value)
-        else:
-            raise Unfit
-        for _, low, high in self._ranges:
-            if not low <= value <= high:
-                raise Unfit
-        return value
-
-    def _fits(self, value: Array) -> bool:
-        return value.dtype.char == "d" or (self._argument.integer and value.dtype.kind in "iu")
+    return read
 
 
 class _Writer:
@@ -234,14 +248,14 @@ class Epoch:
     """One epoch of a function."""
 
     def __init__(self, signature: Signature, kernel: Kernel) -> None:
-        self._signature, self._kernel = signature, kernel
+        self._names, self._maximum, self._kernel = signature.names, signature.maximum, kernel
         self._shared = [
-            (argument.name, _Reader(argument, signature.guarded).shared)
+            (argument.name, _shared_reader(argument, signature.guarded))
             for argument in signature.arguments
             if not argument.item
         ]
         self._own = [
-            (argument.name, _Reader(argument, signature.guarded).items)
+            (argument.name, _items_reader(argument, signature.guarded))
             for argument in signature.arguments
             if argument.item
         ]
@@ -250,7 +264,7 @@ class Epoch:
 
     def evaluate(self, state: Sequence[Any], inputs: Mapping[str, Any]) -> list[Any] | None:
         """The fields of the result, or None where the arrays have to look at it."""
-        names = self._signature.names
+        names = self._names
         if self._movable or len(state) + len(inputs) != len(names):
             return None
         given = {names[0]: state[0], **inputs} if state else inputs
@@ -259,14 +273,14 @@ class Epoch:
             if self._own:
                 return self._mapped(shared, given)
             found = self._kernel(Numbers, _Guards, *shared)
-            fields = [writer.one(v) for (_, writer), v in zip(self._writers, found, strict=True)]
-            return [*fields, Status.OK]
+            pairs = zip(self._writers, found, strict=True)
+            return [*(writer.one(values) for (_, writer), values in pairs), Status.OK]
         except (ArithmeticError, KeyError, ValueError):
             return None
 
     def _mapped(self, shared: Sequence[Any], given: Mapping[str, Any]) -> list[Any]:
         counts, own = zip(*(read(given[name]) for name, read in self._own), strict=True)
-        if len(set(counts)) > 1 or counts[0] > (self._signature.maximum or 0):
+        if len(set(counts)) > 1 or counts[0] > (self._maximum or 0):
             raise Unfit
         together, item = self._kernel(Numbers, _Guards, *shared)
         once, each = iter(together), zip(*map(item, *own), strict=True)
