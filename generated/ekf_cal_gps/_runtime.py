@@ -233,6 +233,10 @@ def collect(signature: Signature, given: Sequence[Any], inputs: Mapping[str, Any
     """Puts the arguments of a call in order; a missing or unknown name is a TypeError."""
     names = signature.names
     allowed = 1 if names[:1] == ("x",) else 0
+    if len(given) == allowed and len(inputs) == len(names) - allowed:
+        values = [*given, *map(inputs.get, names[allowed:])]
+        if all(value is not None for value in values):
+            return values
     if len(given) > allowed:
         raise TypeError(
             f"{signature.name}() takes {'x' if allowed else 'nothing'} by position and the rest by "

@@ -12,49 +12,49 @@ from . import _arrays, _calls, _interface, _runtime
 
 
 def _retract_kernel(xp: Any, guards: _arrays.Guards, x: Any, d: Any) -> _arrays.Nonzeros:
-    position_x = x[..., 0]
-    position_y = x[..., 1]
-    position_z = x[..., 2]
-    velocity_x = x[..., 3]
-    velocity_y = x[..., 4]
-    velocity_z = x[..., 5]
-    attitude_w = x[..., 6]
-    attitude_x = x[..., 7]
-    attitude_y = x[..., 8]
-    attitude_z = x[..., 9]
-    accelerometer_bias_x = x[..., 10]
-    accelerometer_bias_y = x[..., 11]
-    accelerometer_bias_z = x[..., 12]
-    gyro_bias_x = x[..., 13]
-    gyro_bias_y = x[..., 14]
-    gyro_bias_z = x[..., 15]
-    antenna_x = x[..., 16]
-    antenna_y = x[..., 17]
-    antenna_z = x[..., 18]
-    b_gps = x[..., 19]
-    b_galileo = x[..., 20]
-    drift = x[..., 21]
-    d_position_x = d[..., 0]
-    d_position_y = d[..., 1]
-    d_position_z = d[..., 2]
-    d_velocity_x = d[..., 3]
-    d_velocity_y = d[..., 4]
-    d_velocity_z = d[..., 5]
-    d_attitude_x = d[..., 6]
-    d_attitude_y = d[..., 7]
-    d_attitude_z = d[..., 8]
-    d_accelerometer_bias_x = d[..., 9]
-    d_accelerometer_bias_y = d[..., 10]
-    d_accelerometer_bias_z = d[..., 11]
-    d_gyro_bias_x = d[..., 12]
-    d_gyro_bias_y = d[..., 13]
-    d_gyro_bias_z = d[..., 14]
-    d_antenna_x = d[..., 15]
-    d_antenna_y = d[..., 16]
-    d_antenna_z = d[..., 17]
-    d_b_gps = d[..., 18]
-    d_b_galileo = d[..., 19]
-    d_drift = d[..., 20]
+    position_x = x[0]
+    position_y = x[1]
+    position_z = x[2]
+    velocity_x = x[3]
+    velocity_y = x[4]
+    velocity_z = x[5]
+    attitude_w = x[6]
+    attitude_x = x[7]
+    attitude_y = x[8]
+    attitude_z = x[9]
+    accelerometer_bias_x = x[10]
+    accelerometer_bias_y = x[11]
+    accelerometer_bias_z = x[12]
+    gyro_bias_x = x[13]
+    gyro_bias_y = x[14]
+    gyro_bias_z = x[15]
+    antenna_x = x[16]
+    antenna_y = x[17]
+    antenna_z = x[18]
+    b_gps = x[19]
+    b_galileo = x[20]
+    drift = x[21]
+    d_position_x = d[0]
+    d_position_y = d[1]
+    d_position_z = d[2]
+    d_velocity_x = d[3]
+    d_velocity_y = d[4]
+    d_velocity_z = d[5]
+    d_attitude_x = d[6]
+    d_attitude_y = d[7]
+    d_attitude_z = d[8]
+    d_accelerometer_bias_x = d[9]
+    d_accelerometer_bias_y = d[10]
+    d_accelerometer_bias_z = d[11]
+    d_gyro_bias_x = d[12]
+    d_gyro_bias_y = d[13]
+    d_gyro_bias_z = d[14]
+    d_antenna_x = d[15]
+    d_antenna_y = d[16]
+    d_antenna_z = d[17]
+    d_b_gps = d[18]
+    d_b_galileo = d[19]
+    d_drift = d[20]
     attitude_exp_angle_squared = (
         d_attitude_x * d_attitude_x + d_attitude_y * d_attitude_y + d_attitude_z * d_attitude_z
     )
@@ -116,50 +116,50 @@ retract = _calls.publish(_arrays.ArrayFunction(_interface.RETRACT, _retract_kern
 
 
 def _local_kernel(xp: Any, guards: _arrays.Guards, x: Any, y: Any) -> _arrays.Nonzeros:
-    position_x = x[..., 0]
-    position_y = x[..., 1]
-    position_z = x[..., 2]
-    velocity_x = x[..., 3]
-    velocity_y = x[..., 4]
-    velocity_z = x[..., 5]
-    attitude_w = x[..., 6]
-    attitude_x = x[..., 7]
-    attitude_y = x[..., 8]
-    attitude_z = x[..., 9]
-    accelerometer_bias_x = x[..., 10]
-    accelerometer_bias_y = x[..., 11]
-    accelerometer_bias_z = x[..., 12]
-    gyro_bias_x = x[..., 13]
-    gyro_bias_y = x[..., 14]
-    gyro_bias_z = x[..., 15]
-    antenna_x = x[..., 16]
-    antenna_y = x[..., 17]
-    antenna_z = x[..., 18]
-    b_gps = x[..., 19]
-    b_galileo = x[..., 20]
-    drift = x[..., 21]
-    y_position_x = y[..., 0]
-    y_position_y = y[..., 1]
-    y_position_z = y[..., 2]
-    y_velocity_x = y[..., 3]
-    y_velocity_y = y[..., 4]
-    y_velocity_z = y[..., 5]
-    y_attitude_w = y[..., 6]
-    y_attitude_x = y[..., 7]
-    y_attitude_y = y[..., 8]
-    y_attitude_z = y[..., 9]
-    y_accelerometer_bias_x = y[..., 10]
-    y_accelerometer_bias_y = y[..., 11]
-    y_accelerometer_bias_z = y[..., 12]
-    y_gyro_bias_x = y[..., 13]
-    y_gyro_bias_y = y[..., 14]
-    y_gyro_bias_z = y[..., 15]
-    y_antenna_x = y[..., 16]
-    y_antenna_y = y[..., 17]
-    y_antenna_z = y[..., 18]
-    y_b_gps = y[..., 19]
-    y_b_galileo = y[..., 20]
-    y_drift = y[..., 21]
+    position_x = x[0]
+    position_y = x[1]
+    position_z = x[2]
+    velocity_x = x[3]
+    velocity_y = x[4]
+    velocity_z = x[5]
+    attitude_w = x[6]
+    attitude_x = x[7]
+    attitude_y = x[8]
+    attitude_z = x[9]
+    accelerometer_bias_x = x[10]
+    accelerometer_bias_y = x[11]
+    accelerometer_bias_z = x[12]
+    gyro_bias_x = x[13]
+    gyro_bias_y = x[14]
+    gyro_bias_z = x[15]
+    antenna_x = x[16]
+    antenna_y = x[17]
+    antenna_z = x[18]
+    b_gps = x[19]
+    b_galileo = x[20]
+    drift = x[21]
+    y_position_x = y[0]
+    y_position_y = y[1]
+    y_position_z = y[2]
+    y_velocity_x = y[3]
+    y_velocity_y = y[4]
+    y_velocity_z = y[5]
+    y_attitude_w = y[6]
+    y_attitude_x = y[7]
+    y_attitude_y = y[8]
+    y_attitude_z = y[9]
+    y_accelerometer_bias_x = y[10]
+    y_accelerometer_bias_y = y[11]
+    y_accelerometer_bias_z = y[12]
+    y_gyro_bias_x = y[13]
+    y_gyro_bias_y = y[14]
+    y_gyro_bias_z = y[15]
+    y_antenna_x = y[16]
+    y_antenna_y = y[17]
+    y_antenna_z = y[18]
+    y_b_gps = y[19]
+    y_b_galileo = y[20]
+    y_drift = y[21]
     attitude_log_of_w = (
         attitude_w * y_attitude_w + attitude_x * y_attitude_x + attitude_y * y_attitude_y
         + attitude_z * y_attitude_z
@@ -233,16 +233,16 @@ local = _calls.publish(_arrays.ArrayFunction(_interface.LOCAL, _local_kernel), _
 
 
 def _gps_kernel(xp: Any, guards: _arrays.Guards, x: Any) -> _arrays.Nonzeros:
-    position_x = x[..., 0]
-    position_y = x[..., 1]
-    position_z = x[..., 2]
-    attitude_w = x[..., 6]
-    attitude_x = x[..., 7]
-    attitude_y = x[..., 8]
-    attitude_z = x[..., 9]
-    antenna_x = x[..., 16]
-    antenna_y = x[..., 17]
-    antenna_z = x[..., 18]
+    position_x = x[0]
+    position_y = x[1]
+    position_z = x[2]
+    attitude_w = x[6]
+    attitude_x = x[7]
+    attitude_y = x[8]
+    attitude_z = x[9]
+    antenna_x = x[16]
+    antenna_y = x[17]
+    antenna_z = x[18]
     attitude_twice_x = 2.0 * attitude_x
     attitude_twice_y = 2.0 * attitude_y
     attitude_twice_z = 2.0 * attitude_z
@@ -297,40 +297,27 @@ gps = _calls.publish(_arrays.ArrayFunction(_interface.GPS, _gps_kernel), __name_
 
 
 def _range_kernel(
-    xp: Any,
-    guards: _arrays.Guards,
-    x: Any,
-    nav_to_ecef: Any,
-    origin: Any,
-    system: Any,
-    satellite_position: Any,
-    satellite_clock: Any,
-    troposphere: Any,
-    ionosphere: Any,
-    measured: Any,
-) -> _arrays.Nonzeros:
-    position_x = x[..., 0]
-    position_y = x[..., 1]
-    position_z = x[..., 2]
-    attitude_w = x[..., 6]
-    attitude_x = x[..., 7]
-    attitude_y = x[..., 8]
-    attitude_z = x[..., 9]
-    antenna_x = x[..., 16]
-    antenna_y = x[..., 17]
-    antenna_z = x[..., 18]
-    b_gps = x[..., 19]
-    b_galileo = x[..., 20]
-    nav_to_ecef_w = nav_to_ecef[..., 0]
-    nav_to_ecef_x = nav_to_ecef[..., 1]
-    nav_to_ecef_y = nav_to_ecef[..., 2]
-    nav_to_ecef_z = nav_to_ecef[..., 3]
-    origin_x = origin[..., 0]
-    origin_y = origin[..., 1]
-    origin_z = origin[..., 2]
-    satellite_position_x = satellite_position[..., 0]
-    satellite_position_y = satellite_position[..., 1]
-    satellite_position_z = satellite_position[..., 2]
+    xp: Any, guards: _arrays.Guards, x: Any, nav_to_ecef: Any, origin: Any
+) -> _arrays.Mapped:
+    position_x = x[0]
+    position_y = x[1]
+    position_z = x[2]
+    attitude_w = x[6]
+    attitude_x = x[7]
+    attitude_y = x[8]
+    attitude_z = x[9]
+    antenna_x = x[16]
+    antenna_y = x[17]
+    antenna_z = x[18]
+    b_gps = x[19]
+    b_galileo = x[20]
+    nav_to_ecef_w = nav_to_ecef[0]
+    nav_to_ecef_x = nav_to_ecef[1]
+    nav_to_ecef_y = nav_to_ecef[2]
+    nav_to_ecef_z = nav_to_ecef[3]
+    origin_x = origin[0]
+    origin_y = origin[1]
+    origin_z = origin[2]
     attitude_twice_x = 2.0 * attitude_x
     attitude_twice_y = 2.0 * attitude_y
     attitude_twice_z = 2.0 * attitude_z
@@ -396,77 +383,91 @@ def _range_kernel(
     antenna_x_2 = antenna_ecef_x + origin_x
     antenna_y_2 = antenna_ecef_y + origin_y
     antenna_z_2 = antenna_ecef_z + origin_z
-    is_gps = xp.where(xp.equal(system, 0.0), guards.constant(1.0), 0.0)
-    is_galileo = xp.where(xp.equal(system, 1.0), guards.constant(1.0), 0.0)
-    clock_bias = b_galileo * is_galileo + b_gps * is_gps
-    range_vector_x = antenna_x_2 - satellite_position_x
-    range_vector_y = antenna_y_2 - satellite_position_y
-    range_vector_z = antenna_z_2 - satellite_position_z
-    # squared range
-    range_squared = guards.check_item(
-        range_vector_x * range_vector_x + range_vector_y * range_vector_y
-        + range_vector_z * range_vector_z,
-        1e-12,
-        1e30,
-        1.0,
-        _runtime.Status.DOMAIN,
-    )
-    range = xp.sqrt(range_squared)
-    s2 = 1.0 / range
-    range_direction_x = range_vector_x * s2
-    range_direction_y = range_vector_y * s2
-    range_direction_z = range_vector_z * s2
-    turned_satellite_0 = 2.4323877909897254e-13 * satellite_position_x
-    turned_satellite_1 = 2.4323877909897254e-13 * satellite_position_y
-    value_out = (
-        clock_bias + ionosphere + range + troposphere + antenna_y_2 * turned_satellite_0
-        - 299792458.0 * satellite_clock - antenna_x_2 * turned_satellite_1
-    )
-    value_by_antenna_2_x = range_direction_x - turned_satellite_1
-    value_by_antenna_2_y = range_direction_y + turned_satellite_0
-    value_by_antenna_nav_x = (
-        nav_to_ecef_00 * value_by_antenna_2_x + nav_to_ecef_10 * value_by_antenna_2_y
-        + nav_to_ecef_20 * range_direction_z
-    )
-    value_by_antenna_nav_y = (
-        nav_to_ecef_01 * value_by_antenna_2_x + nav_to_ecef_11 * value_by_antenna_2_y
-        + nav_to_ecef_21 * range_direction_z
-    )
-    value_by_antenna_nav_z = (
-        nav_to_ecef_02 * value_by_antenna_2_x + nav_to_ecef_12 * value_by_antenna_2_y
-        + nav_to_ecef_22 * range_direction_z
-    )
-    value_by_attitude_arm_inner_x = (
-        attitude_00 * value_by_antenna_nav_x + attitude_10 * value_by_antenna_nav_y
-        + attitude_20 * value_by_antenna_nav_z
-    )
-    value_by_attitude_arm_inner_y = (
-        attitude_01 * value_by_antenna_nav_x + attitude_11 * value_by_antenna_nav_y
-        + attitude_21 * value_by_antenna_nav_z
-    )
-    value_by_attitude_arm_inner_z = (
-        attitude_02 * value_by_antenna_nav_x + attitude_12 * value_by_antenna_nav_y
-        + attitude_22 * value_by_antenna_nav_z
-    )
-    value_by_attitude_tangent_x = (
-        antenna_y * value_by_attitude_arm_inner_z - antenna_z * value_by_attitude_arm_inner_y
-    )
-    value_by_attitude_tangent_y = (
-        antenna_z * value_by_attitude_arm_inner_x - antenna_x * value_by_attitude_arm_inner_z
-    )
-    value_by_attitude_tangent_z = (
-        antenna_x * value_by_attitude_arm_inner_y - antenna_y * value_by_attitude_arm_inner_x
-    )
-    return (
-        (value_out,),
-        (measured - value_out,),
-        (
-            value_by_antenna_nav_x, value_by_antenna_nav_y, value_by_antenna_nav_z,
-            value_by_attitude_tangent_x, value_by_attitude_tangent_y, value_by_attitude_tangent_z,
-            value_by_attitude_arm_inner_x, value_by_attitude_arm_inner_y,
-            value_by_attitude_arm_inner_z, is_gps, is_galileo,
-        ),
-    )
+
+    def item(
+        system: Any,
+        satellite_position: Any,
+        satellite_clock: Any,
+        troposphere: Any,
+        ionosphere: Any,
+        measured: Any,
+    ) -> _arrays.Nonzeros:
+        satellite_position_x = satellite_position[0]
+        satellite_position_y = satellite_position[1]
+        satellite_position_z = satellite_position[2]
+        is_gps = xp.where(xp.equal(system, 0.0), guards.constant(1.0), 0.0)
+        is_galileo = xp.where(xp.equal(system, 1.0), guards.constant(1.0), 0.0)
+        clock_bias = b_galileo * is_galileo + b_gps * is_gps
+        range_vector_x = antenna_x_2 - satellite_position_x
+        range_vector_y = antenna_y_2 - satellite_position_y
+        range_vector_z = antenna_z_2 - satellite_position_z
+        # squared range
+        range_squared = guards.check_item(
+            range_vector_x * range_vector_x + range_vector_y * range_vector_y
+            + range_vector_z * range_vector_z,
+            1e-12,
+            1e30,
+            1.0,
+            _runtime.Status.DOMAIN,
+        )
+        range = xp.sqrt(range_squared)
+        s2 = 1.0 / range
+        range_direction_x = range_vector_x * s2
+        range_direction_y = range_vector_y * s2
+        range_direction_z = range_vector_z * s2
+        turned_satellite_0 = 2.4323877909897254e-13 * satellite_position_x
+        turned_satellite_1 = 2.4323877909897254e-13 * satellite_position_y
+        value_out = (
+            clock_bias + ionosphere + range + troposphere + antenna_y_2 * turned_satellite_0
+            - 299792458.0 * satellite_clock - antenna_x_2 * turned_satellite_1
+        )
+        value_by_antenna_2_x = range_direction_x - turned_satellite_1
+        value_by_antenna_2_y = range_direction_y + turned_satellite_0
+        value_by_antenna_nav_x = (
+            nav_to_ecef_00 * value_by_antenna_2_x + nav_to_ecef_10 * value_by_antenna_2_y
+            + nav_to_ecef_20 * range_direction_z
+        )
+        value_by_antenna_nav_y = (
+            nav_to_ecef_01 * value_by_antenna_2_x + nav_to_ecef_11 * value_by_antenna_2_y
+            + nav_to_ecef_21 * range_direction_z
+        )
+        value_by_antenna_nav_z = (
+            nav_to_ecef_02 * value_by_antenna_2_x + nav_to_ecef_12 * value_by_antenna_2_y
+            + nav_to_ecef_22 * range_direction_z
+        )
+        value_by_attitude_arm_inner_x = (
+            attitude_00 * value_by_antenna_nav_x + attitude_10 * value_by_antenna_nav_y
+            + attitude_20 * value_by_antenna_nav_z
+        )
+        value_by_attitude_arm_inner_y = (
+            attitude_01 * value_by_antenna_nav_x + attitude_11 * value_by_antenna_nav_y
+            + attitude_21 * value_by_antenna_nav_z
+        )
+        value_by_attitude_arm_inner_z = (
+            attitude_02 * value_by_antenna_nav_x + attitude_12 * value_by_antenna_nav_y
+            + attitude_22 * value_by_antenna_nav_z
+        )
+        value_by_attitude_tangent_x = (
+            antenna_y * value_by_attitude_arm_inner_z - antenna_z * value_by_attitude_arm_inner_y
+        )
+        value_by_attitude_tangent_y = (
+            antenna_z * value_by_attitude_arm_inner_x - antenna_x * value_by_attitude_arm_inner_z
+        )
+        value_by_attitude_tangent_z = (
+            antenna_x * value_by_attitude_arm_inner_y - antenna_y * value_by_attitude_arm_inner_x
+        )
+        return (
+            (value_out,),
+            (measured - value_out,),
+            (
+                value_by_antenna_nav_x, value_by_antenna_nav_y, value_by_antenna_nav_z,
+                value_by_attitude_tangent_x, value_by_attitude_tangent_y,
+                value_by_attitude_tangent_z, value_by_attitude_arm_inner_x,
+                value_by_attitude_arm_inner_y, value_by_attitude_arm_inner_z, is_gps, is_galileo,
+            ),
+        )
+
+    return (), item
 
 
 range = _calls.publish(_arrays.ArrayFunction(_interface.RANGE, _range_kernel), __name__)
@@ -475,28 +476,28 @@ range = _calls.publish(_arrays.ArrayFunction(_interface.RANGE, _range_kernel), _
 def _imu_kernel(
     xp: Any, guards: _arrays.Guards, x: Any, delta_theta: Any, delta_velocity: Any, dt: Any
 ) -> _arrays.Nonzeros:
-    attitude_w = x[..., 6]
-    attitude_x = x[..., 7]
-    attitude_y = x[..., 8]
-    attitude_z = x[..., 9]
-    accelerometer_bias_x = x[..., 10]
-    accelerometer_bias_y = x[..., 11]
-    accelerometer_bias_z = x[..., 12]
-    gyro_bias_x = x[..., 13]
-    gyro_bias_y = x[..., 14]
-    gyro_bias_z = x[..., 15]
-    delta_theta_0 = delta_theta[..., 0]
-    delta_theta_1 = delta_theta[..., 1]
-    delta_theta_2 = delta_theta[..., 2]
-    delta_theta_3 = delta_theta[..., 3]
-    delta_theta_4 = delta_theta[..., 4]
-    delta_theta_5 = delta_theta[..., 5]
-    delta_velocity_0 = delta_velocity[..., 0]
-    delta_velocity_1 = delta_velocity[..., 1]
-    delta_velocity_2 = delta_velocity[..., 2]
-    delta_velocity_3 = delta_velocity[..., 3]
-    delta_velocity_4 = delta_velocity[..., 4]
-    delta_velocity_5 = delta_velocity[..., 5]
+    attitude_w = x[6]
+    attitude_x = x[7]
+    attitude_y = x[8]
+    attitude_z = x[9]
+    accelerometer_bias_x = x[10]
+    accelerometer_bias_y = x[11]
+    accelerometer_bias_z = x[12]
+    gyro_bias_x = x[13]
+    gyro_bias_y = x[14]
+    gyro_bias_z = x[15]
+    delta_theta_0 = delta_theta[0]
+    delta_theta_1 = delta_theta[1]
+    delta_theta_2 = delta_theta[2]
+    delta_theta_3 = delta_theta[3]
+    delta_theta_4 = delta_theta[4]
+    delta_theta_5 = delta_theta[5]
+    delta_velocity_0 = delta_velocity[0]
+    delta_velocity_1 = delta_velocity[1]
+    delta_velocity_2 = delta_velocity[2]
+    delta_velocity_3 = delta_velocity[3]
+    delta_velocity_4 = delta_velocity[4]
+    delta_velocity_5 = delta_velocity[5]
     attitude_twice_x = 2.0 * attitude_x
     attitude_twice_y = 2.0 * attitude_y
     attitude_twice_z = 2.0 * attitude_z

@@ -12,14 +12,14 @@ from . import _arrays, _calls, _interface, _runtime
 
 
 def _retract_kernel(xp: Any, guards: _arrays.Guards, x: Any, d: Any) -> _arrays.Nonzeros:
-    position_x = x[..., 0]
-    position_y = x[..., 1]
-    position_z = x[..., 2]
-    clock_bias = x[..., 3]
-    d_position_x = d[..., 0]
-    d_position_y = d[..., 1]
-    d_position_z = d[..., 2]
-    d_clock_bias = d[..., 3]
+    position_x = x[0]
+    position_y = x[1]
+    position_z = x[2]
+    clock_bias = x[3]
+    d_position_x = d[0]
+    d_position_y = d[1]
+    d_position_z = d[2]
+    d_clock_bias = d[3]
     return (
         (
             d_position_x + position_x,
@@ -34,14 +34,14 @@ retract = _calls.publish(_arrays.ArrayFunction(_interface.RETRACT, _retract_kern
 
 
 def _local_kernel(xp: Any, guards: _arrays.Guards, x: Any, y: Any) -> _arrays.Nonzeros:
-    position_x = x[..., 0]
-    position_y = x[..., 1]
-    position_z = x[..., 2]
-    clock_bias = x[..., 3]
-    y_position_x = y[..., 0]
-    y_position_y = y[..., 1]
-    y_position_z = y[..., 2]
-    y_clock_bias = y[..., 3]
+    position_x = x[0]
+    position_y = x[1]
+    position_z = x[2]
+    clock_bias = x[3]
+    y_position_x = y[0]
+    y_position_y = y[1]
+    y_position_z = y[2]
+    y_clock_bias = y[3]
     return (
         (
             y_position_x - position_x,
@@ -55,53 +55,51 @@ def _local_kernel(xp: Any, guards: _arrays.Guards, x: Any, y: Any) -> _arrays.No
 local = _calls.publish(_arrays.ArrayFunction(_interface.LOCAL, _local_kernel), __name__)
 
 
-def _pseudorange_kernel(
-    xp: Any,
-    guards: _arrays.Guards,
-    x: Any,
-    satellite_position: Any,
-    satellite_clock: Any,
-    troposphere: Any,
-    ionosphere: Any,
-) -> _arrays.Nonzeros:
-    position_x = x[..., 0]
-    position_y = x[..., 1]
-    position_z = x[..., 2]
-    clock_bias = x[..., 3]
-    satellite_position_x = satellite_position[..., 0]
-    satellite_position_y = satellite_position[..., 1]
-    satellite_position_z = satellite_position[..., 2]
+def _pseudorange_kernel(xp: Any, guards: _arrays.Guards, x: Any) -> _arrays.Mapped:
+    position_x = x[0]
+    position_y = x[1]
+    position_z = x[2]
+    clock_bias = x[3]
     antenna_x = position_x
     antenna_y = position_y
     antenna_z = position_z
-    range_vector_x = antenna_x - satellite_position_x
-    range_vector_y = antenna_y - satellite_position_y
-    range_vector_z = antenna_z - satellite_position_z
-    # squared range
-    range_squared = guards.check_item(
-        range_vector_x * range_vector_x + range_vector_y * range_vector_y
-        + range_vector_z * range_vector_z,
-        1e-12,
-        1e30,
-        1.0,
-        _runtime.Status.DOMAIN,
-    )
-    range = xp.sqrt(range_squared)
-    s0 = 1.0 / range
-    range_direction_x = range_vector_x * s0
-    range_direction_y = range_vector_y * s0
-    range_direction_z = range_vector_z * s0
-    turned_satellite_0 = 2.4323877909897254e-13 * satellite_position_x
-    turned_satellite_1 = 2.4323877909897254e-13 * satellite_position_y
-    value_out = (
-        clock_bias + ionosphere + range + troposphere + antenna_y * turned_satellite_0
-        - 299792458.0 * satellite_clock - antenna_x * turned_satellite_1
-    )
-    value_out_by_position_x = range_direction_x - turned_satellite_1
-    value_out_by_position_y = range_direction_y + turned_satellite_0
-    return (
-        (value_out,), (value_out_by_position_x, value_out_by_position_y, range_direction_z, 1.0)
-    )
+
+    def item(
+        satellite_position: Any, satellite_clock: Any, troposphere: Any, ionosphere: Any
+    ) -> _arrays.Nonzeros:
+        satellite_position_x = satellite_position[0]
+        satellite_position_y = satellite_position[1]
+        satellite_position_z = satellite_position[2]
+        range_vector_x = antenna_x - satellite_position_x
+        range_vector_y = antenna_y - satellite_position_y
+        range_vector_z = antenna_z - satellite_position_z
+        # squared range
+        range_squared = guards.check_item(
+            range_vector_x * range_vector_x + range_vector_y * range_vector_y
+            + range_vector_z * range_vector_z,
+            1e-12,
+            1e30,
+            1.0,
+            _runtime.Status.DOMAIN,
+        )
+        range = xp.sqrt(range_squared)
+        s0 = 1.0 / range
+        range_direction_x = range_vector_x * s0
+        range_direction_y = range_vector_y * s0
+        range_direction_z = range_vector_z * s0
+        turned_satellite_0 = 2.4323877909897254e-13 * satellite_position_x
+        turned_satellite_1 = 2.4323877909897254e-13 * satellite_position_y
+        value_out = (
+            clock_bias + ionosphere + range + troposphere + antenna_y * turned_satellite_0
+            - 299792458.0 * satellite_clock - antenna_x * turned_satellite_1
+        )
+        value_out_by_position_x = range_direction_x - turned_satellite_1
+        value_out_by_position_y = range_direction_y + turned_satellite_0
+        return (
+            (value_out,), (value_out_by_position_x, value_out_by_position_y, range_direction_z, 1.0)
+        )
+
+    return (), item
 
 
 pseudorange = _calls.publish(
@@ -109,44 +107,42 @@ pseudorange = _calls.publish(
 )
 
 
-def _pseudorange_without_sagnac_kernel(
-    xp: Any,
-    guards: _arrays.Guards,
-    x: Any,
-    satellite_position: Any,
-    satellite_clock: Any,
-    troposphere: Any,
-    ionosphere: Any,
-) -> _arrays.Nonzeros:
-    position_x = x[..., 0]
-    position_y = x[..., 1]
-    position_z = x[..., 2]
-    clock_bias = x[..., 3]
-    satellite_position_x = satellite_position[..., 0]
-    satellite_position_y = satellite_position[..., 1]
-    satellite_position_z = satellite_position[..., 2]
+def _pseudorange_without_sagnac_kernel(xp: Any, guards: _arrays.Guards, x: Any) -> _arrays.Mapped:
+    position_x = x[0]
+    position_y = x[1]
+    position_z = x[2]
+    clock_bias = x[3]
     antenna_x = position_x
     antenna_y = position_y
     antenna_z = position_z
-    range_vector_x = antenna_x - satellite_position_x
-    range_vector_y = antenna_y - satellite_position_y
-    range_vector_z = antenna_z - satellite_position_z
-    # squared range
-    range_squared = guards.check_item(
-        range_vector_x * range_vector_x + range_vector_y * range_vector_y
-        + range_vector_z * range_vector_z,
-        1e-12,
-        1e30,
-        1.0,
-        _runtime.Status.DOMAIN,
-    )
-    range = xp.sqrt(range_squared)
-    s0 = 1.0 / range
-    range_direction_x = range_vector_x * s0
-    range_direction_y = range_vector_y * s0
-    range_direction_z = range_vector_z * s0
-    value_out = clock_bias + ionosphere + range + troposphere - 299792458.0 * satellite_clock
-    return ((value_out,), (range_direction_x, range_direction_y, range_direction_z, 1.0))
+
+    def item(
+        satellite_position: Any, satellite_clock: Any, troposphere: Any, ionosphere: Any
+    ) -> _arrays.Nonzeros:
+        satellite_position_x = satellite_position[0]
+        satellite_position_y = satellite_position[1]
+        satellite_position_z = satellite_position[2]
+        range_vector_x = antenna_x - satellite_position_x
+        range_vector_y = antenna_y - satellite_position_y
+        range_vector_z = antenna_z - satellite_position_z
+        # squared range
+        range_squared = guards.check_item(
+            range_vector_x * range_vector_x + range_vector_y * range_vector_y
+            + range_vector_z * range_vector_z,
+            1e-12,
+            1e30,
+            1.0,
+            _runtime.Status.DOMAIN,
+        )
+        range = xp.sqrt(range_squared)
+        s0 = 1.0 / range
+        range_direction_x = range_vector_x * s0
+        range_direction_y = range_vector_y * s0
+        range_direction_z = range_vector_z * s0
+        value_out = clock_bias + ionosphere + range + troposphere - 299792458.0 * satellite_clock
+        return ((value_out,), (range_direction_x, range_direction_y, range_direction_z, 1.0))
+
+    return (), item
 
 
 pseudorange_without_sagnac = _calls.publish(

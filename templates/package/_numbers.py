@@ -24,6 +24,7 @@ MOST_ITEMS = 64
 
 _LARGEST = float(np.finfo(np.float64).max)
 _WIDE_GAP = 64
+_OK = Status.OK
 
 
 class Unfit(ValueError):
@@ -260,6 +261,7 @@ class Epoch:
             if argument.item
         ]
         self._writers = [(output.item, _Writer(output)) for output in signature.outputs]
+        self._plain = [writer.one for _, writer in self._writers]
         self._movable = any(isinstance(p, Slot) for o in signature.outputs for p in o.places)
 
     def evaluate(self, state: Sequence[Any], inputs: Mapping[str, Any]) -> list[Any] | None:
@@ -273,8 +275,9 @@ class Epoch:
             if self._own:
                 return self._mapped(shared, given)
             found = self._kernel(Numbers, _Guards, *shared)
-            pairs = zip(self._writers, found, strict=True)
-            return [*(writer.one(values) for (_, writer), values in pairs), Status.OK]
+            fields = [write(values) for write, values in zip(self._plain, found, strict=True)]
+            fields.append(_OK)
+            return fields
         except (ArithmeticError, KeyError, ValueError):
             return None
 
@@ -288,4 +291,4 @@ class Epoch:
             writer.many(next(each)) if mapped else writer.one(next(once))
             for mapped, writer in self._writers
         ]
-        return [*fields, Status.OK, np.zeros(counts[0], dtype=np.uint8)]
+        return [*fields, _OK, np.zeros(counts[0], dtype=np.uint8)]

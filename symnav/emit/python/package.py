@@ -26,6 +26,7 @@ _STATIC = (
     "_places.py",
     "_runtime.py",
     "_state.py",
+    "_tables.py",
 )
 
 
