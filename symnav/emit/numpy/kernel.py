@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import keyword
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from symnav import ir
 from symnav.emit.numpy.expressions import Scope, Text, number, text_of
 from symnav.emit.python.shapes import argument_of, is_scalar, signature_name, slot_range
-from symnav.emit.python.text import assignment, call, lay_out, tuple_of
+from symnav.emit.python.text import assignment, call, deletion, lay_out, tuple_of
 
 _NAMES = ("xp", "guards")
+_HANDFUL = 6
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,16 +69,18 @@ class _Writer:
     def plain(self) -> Iterator[str]:
         """The body of a function that is not mapped over items."""
         yield from self._loads(items=False)
-        yield from self._steps(self._function.shared, "check")
-        yield from self._steps(self._function.item, "check_item")
+        steps = (*self._function.shared, *self._function.item)
+        yield from self._steps(steps, "check", _read_by(self._function.outputs))
         yield from self._results(self._function.outputs)
 
     def mapped(self) -> Iterator[str]:
         """The shared part, the part of an item as a function, and both returned."""
         outputs = self._function.outputs
         item = self._claim("item")
+        read = _read_by(outputs)
+        in_items = {name for step in self._function.item for name in _names(step.value)}
         yield from self._loads(items=False)
-        yield from self._steps(self._function.shared, "check")
+        yield from self._steps(self._function.shared, "check", read | in_items)
         yield ""
         parameters = [
             _parameter(argument) for argument in self._function.arguments if argument.item
@@ -86,7 +89,7 @@ class _Writer:
         yield from lay_out(head, before="def ", after=" -> _arrays.Nonzeros:", depth=1)
         self._depth = 2
         yield from self._loads(items=True)
-        yield from self._steps(self._function.item, "check_item")
+        yield from self._steps(self._function.item, "check_item", read)
         yield from self._results([output for output in outputs if output.item])
         self._depth = 1
         yield ""
@@ -110,20 +113,38 @@ class _Writer:
         chooser = isinstance(load.index, ir.Offset) and self._of_item(load.index.slot)
         return chooser or argument_of(self._function, load.argument).item
 
-    def _steps(self, steps: Iterable[ir.Step], check: str) -> Iterator[str]:
-        """Statements and guards."""
-        for step in steps:
-            value = text_of(step.value, self._scope)
-            if isinstance(step, ir.Check) and self._function.guarded:
-                target = self._claim(step.target)
-                yield from self._guard(step, target, value.text, check)
-                self._references[step.target] = Text(target)
-            elif value.number is not None:
-                self._references[step.target] = value
-            else:
-                target = self._claim(step.target)
-                yield from assignment(target, value.text, depth=self._depth, remark=step.comment)
-                self._references[step.target] = Text(target)
+    def _steps(self, steps: Sequence[ir.Step], check: str, kept: Collection[str]) -> Iterator[str]:
+        """Statements and guards; names that nothing reads any more are deleted by the handful.
+
+        Args:
+            steps: in order.
+            check: the method that guards.
+            kept: targets that are read after these steps.
+        """
+        last = {name: place for place, step in enumerate(steps) for name in _names(step.value)}
+        dead: list[str] = []
+        for place, step in enumerate(steps):
+            yield from self._step(step, check)
+            targets = (step.target for step in steps[:place])
+            dead += [name for name in targets if last.get(name) == place and name not in kept]
+            dead = [name for name in dead if self._references[name].number is None]
+            if len(dead) >= _HANDFUL:
+                names = [self._references[name].text for name in dead]
+                yield from deletion(names, depth=self._depth)
+                dead = []
+
+    def _step(self, step: ir.Step, check: str) -> Iterator[str]:
+        value = text_of(step.value, self._scope)
+        if isinstance(step, ir.Check) and self._function.guarded:
+            target = self._claim(step.target)
+            yield from self._guard(step, target, value.text, check)
+            self._references[step.target] = Text(target)
+        elif value.number is not None:
+            self._references[step.target] = value
+        else:
+            target = self._claim(step.target)
+            yield from assignment(target, value.text, depth=self._depth, remark=step.comment)
+            self._references[step.target] = Text(target)
 
     def _results(self, outputs: Iterable[ir.Output], after: str = "") -> Iterator[str]:
         """The structural non-zeros, one tuple for each output."""
@@ -179,14 +200,31 @@ class _Writer:
         return name
 
 
+def _read_by(outputs: Iterable[ir.Output]) -> set[str]:
+    """Targets of steps that outputs read."""
+    entries = (entry for output in outputs for entry in output.entries)
+    return {name for entry in entries for name in _names(entry.value)}
+
+
+def _names(expression: ir.Expression) -> Iterator[str]:
+    """Targets of steps that an expression reads."""
+    return (node.name for node in _nodes([expression]) if isinstance(node, ir.Ref))
+
+
+def _nodes(pending: list[ir.Expression]) -> Iterator[ir.Expression]:
+    """Expressions and everything below them."""
+    while pending:
+        node = pending.pop()
+        yield node
+        if isinstance(node, ir.Call):
+            pending.extend(node.operands)
+
+
 def _loads(function: ir.Function) -> Iterator[ir.Load]:
     """Every element the arithmetic reads; slots are read where results are put together."""
     pending: list[ir.Expression] = [step.value for step in (*function.shared, *function.item)]
     pending += [entry.value for output in function.outputs for entry in output.entries]
-    while pending:
-        node = pending.pop()
+    for node in _nodes(pending):
         if isinstance(node, ir.Load):
             yield node
             pending += [node.index.slot] if isinstance(node.index, ir.Offset) else []
-        elif isinstance(node, ir.Call):
-            pending.extend(node.operands)
