@@ -170,6 +170,8 @@ def _write(outputs: Sequence[tuple[Array, Array]], out: list[Array] | None) -> l
 def namespace_of(values: Sequence[Any]) -> Any:
     """The library the arguments belong to: the first that is not NumPy."""
     for value in values:
+        if type(value) is np.ndarray:
+            continue
         find = getattr(value, "__array_namespace__", None)
         if find is not None and find() is not np:
             return find()

@@ -1,7 +1,8 @@
 """The functions of ``ekf_cal_online`` in pure NumPy: no compiler, no dependency.
 
 Leading axes broadcast. Arrays of another library that follows the array API standard (JAX among
-them, also under ``jax.jit``) stay in that library; complex arguments carry derivatives.
+them, also under ``jax.jit``) stay in that library; complex arguments carry derivatives. Names that are
+not read any more are deleted, so that arrays find room in the cache.
 """
 
 from __future__ import annotations
@@ -83,6 +84,8 @@ def _retract_kernel(xp: Any, guards: _arrays.Guards, x: Any, d: Any) -> _arrays.
     attitude_exp_far_cosine = xp.cos(attitude_exp_half)
     attitude_exp_far_sinc = xp.sin(attitude_exp_half) / attitude_exp_angle
     attitude_exp_cosine = xp.where(s0, attitude_exp_near_cosine, attitude_exp_far_cosine)
+    del attitude_exp_safe_squared, attitude_exp_angle_squared, attitude_exp_angle
+    del attitude_exp_half, attitude_exp_near_cosine, attitude_exp_far_cosine
     attitude_exp_sinc = xp.where(s0, attitude_exp_near_sinc, attitude_exp_far_sinc)
     attitude_step_w = attitude_exp_cosine
     attitude_step_x = attitude_exp_sinc * d_attitude_x
@@ -219,10 +222,14 @@ def _local_kernel(xp: Any, guards: _arrays.Guards, x: Any, y: Any) -> _arrays.No
         - 0.3333333333333333)
     )
     attitude_log_far = 2.0 * xp.atan2(attitude_log_sine, attitude_log_w) / attitude_log_sine
+    del attitude_log_of_w, attitude_log_safe_squared, attitude_log_sine_squared
+    del attitude_log_tangent_squared, attitude_log_w, attitude_log_sine
     attitude_log_scale = (
         xp.where(s0, 2.0 * attitude_log_series / attitude_log_cosine, attitude_log_far)
     )
     attitude_log_signed_scale = attitude_log_scale * attitude_log_sign
+    del s0, attitude_log_cosine, attitude_log_series, attitude_log_far, attitude_log_sign
+    del attitude_log_scale
     heading_difference = y_heading - heading
     return (
         (
@@ -296,11 +303,15 @@ def _gps_1_kernel(
     attitude_01 = attitude_twice_xy - attitude_twice_wz
     attitude_02 = attitude_twice_wy + attitude_twice_xz
     attitude_10 = attitude_twice_wz + attitude_twice_xy
+    del attitude_twice_x, attitude_twice_y, attitude_twice_z, attitude_twice_zz, attitude_twice_xy
+    del attitude_twice_wz
     attitude_11 = -attitude_twice_xx - s0
     attitude_12 = attitude_twice_yz - attitude_twice_wx
     attitude_20 = attitude_twice_xz - attitude_twice_wy
     attitude_21 = attitude_twice_wx + attitude_twice_yz
     attitude_22 = 1.0 - attitude_twice_xx - attitude_twice_yy
+    del s0, attitude_twice_xz, attitude_twice_wy, attitude_twice_yz, attitude_twice_wx
+    del attitude_twice_xx, attitude_twice_yy
     heading_cosine = xp.cos(heading)
     heading_sine = xp.sin(heading)
     attitude_arm_x = (
@@ -318,6 +329,7 @@ def _gps_1_kernel(
     observed_x = antenna_x * heading_cosine + antenna_y * heading_sine
     observed_y = antenna_y * heading_cosine - antenna_x * heading_sine
     observed_z = antenna_z
+    del attitude_arm_x, attitude_arm_y, attitude_arm_z, antenna_x, antenna_y, antenna_z
     value_out_x = observed_x + origin_x
     value_out_y = observed_y + origin_y
     value_out_z = observed_z + origin_z
@@ -327,6 +339,7 @@ def _gps_1_kernel(
     value_by_attitude_arm_inner_x_y = attitude_01 * heading_cosine + attitude_11 * heading_sine
     value_by_attitude_arm_inner_y_y = attitude_11 * heading_cosine - attitude_01 * heading_sine
     value_by_attitude_arm_inner_y_z = attitude_12 * heading_cosine - attitude_02 * heading_sine
+    del observed_z, attitude_00, attitude_10, attitude_01, attitude_11, attitude_02, attitude_12
     value_by_attitude_tangent_z_y = antenna_1_z * attitude_20 - antenna_1_x * attitude_22
     value_by_attitude_tangent_x_z = (
         antenna_1_x * value_by_attitude_arm_inner_x_y
@@ -412,11 +425,15 @@ def _gps_2_kernel(
     attitude_01 = attitude_twice_xy - attitude_twice_wz
     attitude_02 = attitude_twice_wy + attitude_twice_xz
     attitude_10 = attitude_twice_wz + attitude_twice_xy
+    del attitude_twice_x, attitude_twice_y, attitude_twice_z, attitude_twice_zz, attitude_twice_xy
+    del attitude_twice_wz
     attitude_11 = -attitude_twice_xx - s0
     attitude_12 = attitude_twice_yz - attitude_twice_wx
     attitude_20 = attitude_twice_xz - attitude_twice_wy
     attitude_21 = attitude_twice_wx + attitude_twice_yz
     attitude_22 = 1.0 - attitude_twice_xx - attitude_twice_yy
+    del s0, attitude_twice_xz, attitude_twice_wy, attitude_twice_yz, attitude_twice_wx
+    del attitude_twice_xx, attitude_twice_yy
     heading_cosine = xp.cos(heading)
     heading_sine = xp.sin(heading)
     attitude_arm_x = (
@@ -434,6 +451,7 @@ def _gps_2_kernel(
     observed_x = antenna_x * heading_cosine + antenna_y * heading_sine
     observed_y = antenna_y * heading_cosine - antenna_x * heading_sine
     observed_z = antenna_z
+    del attitude_arm_x, attitude_arm_y, attitude_arm_z, antenna_x, antenna_y, antenna_z
     value_out_x = observed_x + origin_x
     value_out_y = observed_y + origin_y
     value_out_z = observed_z + origin_z
@@ -443,6 +461,7 @@ def _gps_2_kernel(
     value_by_attitude_arm_inner_x_y = attitude_01 * heading_cosine + attitude_11 * heading_sine
     value_by_attitude_arm_inner_y_y = attitude_11 * heading_cosine - attitude_01 * heading_sine
     value_by_attitude_arm_inner_y_z = attitude_12 * heading_cosine - attitude_02 * heading_sine
+    del observed_z, attitude_00, attitude_10, attitude_01, attitude_11, attitude_02, attitude_12
     value_by_attitude_tangent_z_y = antenna_2_z * attitude_20 - antenna_2_x * attitude_22
     value_by_attitude_tangent_x_z = (
         antenna_2_x * value_by_attitude_arm_inner_x_y

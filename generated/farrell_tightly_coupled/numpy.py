@@ -1,7 +1,8 @@
 """The functions of ``farrell_tightly_coupled`` in pure NumPy: no compiler, no dependency.
 
 Leading axes broadcast. Arrays of another library that follows the array API standard (JAX among
-them, also under ``jax.jit``) stay in that library; complex arguments carry derivatives.
+them, also under ``jax.jit``) stay in that library; complex arguments carry derivatives. Names that are
+not read any more are deleted, so that arrays find room in the cache.
 """
 
 from __future__ import annotations
@@ -65,6 +66,8 @@ def _retract_kernel(xp: Any, guards: _arrays.Guards, x: Any, d: Any) -> _arrays.
     drho_exp_far_cosine = xp.cos(drho_exp_half)
     drho_exp_far_sinc = xp.sin(drho_exp_half) / drho_exp_angle
     drho_exp_cosine = xp.where(s0, drho_exp_near_cosine, drho_exp_far_cosine)
+    del drho_exp_safe_squared, drho_exp_angle_squared, drho_exp_angle, drho_exp_half
+    del drho_exp_near_cosine, drho_exp_far_cosine
     drho_exp_sinc = xp.where(s0, drho_exp_near_sinc, drho_exp_far_sinc)
     drho_step_w = drho_exp_cosine
     drho_step_x = d_drho_x * drho_exp_sinc
@@ -162,8 +165,11 @@ def _local_kernel(xp: Any, guards: _arrays.Guards, x: Any, y: Any) -> _arrays.No
         - 0.3333333333333333)
     )
     drho_log_far = 2.0 * xp.atan2(drho_log_sine, drho_log_w) / drho_log_sine
+    del drho_log_of_w, drho_log_safe_squared, drho_log_sine_squared, drho_log_tangent_squared
+    del drho_log_w, drho_log_sine
     drho_log_scale = xp.where(s0, 2.0 * drho_log_series / drho_log_cosine, drho_log_far)
     drho_log_signed_scale = drho_log_scale * drho_log_sign
+    del s0, drho_log_cosine, drho_log_series, drho_log_far, drho_log_sign, drho_log_scale
     return (
         (
             y_dp_x - dp_x,
@@ -218,6 +224,7 @@ def _pseudorange_kernel(
     antenna_x = antenna_ecef_x + origin_x
     antenna_y = antenna_ecef_y + origin_y
     antenna_z = antenna_ecef_z + origin_z
+    del antenna_nav_x, antenna_nav_y, antenna_nav_z, antenna_ecef_x, antenna_ecef_y, antenna_ecef_z
 
     def item(satellite_position: Any, measured: Any) -> _arrays.Nonzeros:
         satellite_position_x = satellite_position[0]
@@ -241,6 +248,7 @@ def _pseudorange_kernel(
         range_direction_y = range_vector_y * s0
         range_direction_z = range_vector_z * s0
         value_out = b_u + range
+        del range_squared, range_vector_x, range_vector_y, range_vector_z, s0, range
         range_by_dp_x = (
             c_n_e_00 * range_direction_x + c_n_e_10 * range_direction_y
             + c_n_e_20 * range_direction_z
@@ -310,13 +318,16 @@ def _pseudorange_lever_arm_kernel(
     drho_01 = drho_twice_xy - drho_twice_wz
     drho_02 = drho_twice_wy + drho_twice_xz
     drho_10 = drho_twice_wz + drho_twice_xy
+    del drho_twice_x, drho_twice_y, drho_twice_z, drho_twice_zz, drho_twice_xy, drho_twice_wz
     drho_11 = -drho_twice_xx - s0
     drho_12 = drho_twice_yz - drho_twice_wx
     drho_20 = drho_twice_xz - drho_twice_wy
     drho_21 = drho_twice_wx + drho_twice_yz
     drho_22 = 1.0 - drho_twice_xx - drho_twice_yy
+    del s0, drho_twice_xz, drho_twice_wy, drho_twice_yz, drho_twice_wx, drho_twice_xx, drho_twice_yy
     drho_arm_x = drho_00 * lever_arm_x + drho_01 * lever_arm_y + drho_02 * lever_arm_z
     drho_arm_y = drho_10 * lever_arm_x + drho_11 * lever_arm_y + drho_12 * lever_arm_z
+    del drho_00, drho_01, drho_02, drho_10, drho_11, drho_12
     drho_arm_z = drho_20 * lever_arm_x + drho_21 * lever_arm_y + drho_22 * lever_arm_z
     antenna_nav_x = dp_x + drho_arm_x
     antenna_nav_y = dp_y + drho_arm_y
@@ -324,6 +335,7 @@ def _pseudorange_lever_arm_kernel(
     antenna_ecef_x = antenna_nav_x * c_n_e_00 + antenna_nav_y * c_n_e_01 + antenna_nav_z * c_n_e_02
     antenna_ecef_y = antenna_nav_x * c_n_e_10 + antenna_nav_y * c_n_e_11 + antenna_nav_z * c_n_e_12
     antenna_ecef_z = antenna_nav_x * c_n_e_20 + antenna_nav_y * c_n_e_21 + antenna_nav_z * c_n_e_22
+    del drho_20, drho_21, drho_22, antenna_nav_x, antenna_nav_y, antenna_nav_z
     antenna_x = antenna_ecef_x + origin_x
     antenna_y = antenna_ecef_y + origin_y
     antenna_z = antenna_ecef_z + origin_z
@@ -350,6 +362,7 @@ def _pseudorange_lever_arm_kernel(
         range_direction_y = range_vector_y * s1
         range_direction_z = range_vector_z * s1
         value_out = b_u + range
+        del range_squared, range_vector_x, range_vector_y, range_vector_z, s1, range
         value_by_antenna_nav_x = (
             c_n_e_00 * range_direction_x + c_n_e_10 * range_direction_y
             + c_n_e_20 * range_direction_z

@@ -271,7 +271,7 @@ def _expectation(argument: Argument) -> str:
 def as_numbers(argument: Argument, value: Any, real: np.dtype[Any], complex_: bool) -> Array:
     """Converts an argument to an array of the back end's type; refuses what would lose meaning."""
     array = np.asarray(value)
-    if array.dtype == real and not argument.integer:
+    if not argument.integer and array.dtype == real:
         return array
     kind = array.dtype.kind
     if argument.integer:

@@ -1,7 +1,8 @@
 """The functions of ``rover`` in pure NumPy: no compiler, no dependency.
 
 Leading axes broadcast. Arrays of another library that follows the array API standard (JAX among
-them, also under ``jax.jit``) stay in that library; complex arguments carry derivatives.
+them, also under ``jax.jit``) stay in that library; complex arguments carry derivatives. Names that are
+not read any more are deleted, so that arrays find room in the cache.
 """
 
 from __future__ import annotations
@@ -75,6 +76,8 @@ def _retract_kernel(xp: Any, guards: _arrays.Guards, x: Any, d: Any) -> _arrays.
     attitude_exp_far_cosine = xp.cos(attitude_exp_half)
     attitude_exp_far_sinc = xp.sin(attitude_exp_half) / attitude_exp_angle
     attitude_exp_cosine = xp.where(s0, attitude_exp_near_cosine, attitude_exp_far_cosine)
+    del attitude_exp_safe_squared, attitude_exp_angle_squared, attitude_exp_angle
+    del attitude_exp_half, attitude_exp_near_cosine, attitude_exp_far_cosine
     attitude_exp_sinc = xp.where(s0, attitude_exp_near_sinc, attitude_exp_far_sinc)
     attitude_step_w = attitude_exp_cosine
     attitude_step_x = attitude_exp_sinc * d_attitude_x
@@ -198,10 +201,14 @@ def _local_kernel(xp: Any, guards: _arrays.Guards, x: Any, y: Any) -> _arrays.No
         - 0.3333333333333333)
     )
     attitude_log_far = 2.0 * xp.atan2(attitude_log_sine, attitude_log_w) / attitude_log_sine
+    del attitude_log_of_w, attitude_log_safe_squared, attitude_log_sine_squared
+    del attitude_log_tangent_squared, attitude_log_w, attitude_log_sine
     attitude_log_scale = (
         xp.where(s0, 2.0 * attitude_log_series / attitude_log_cosine, attitude_log_far)
     )
     attitude_log_signed_scale = attitude_log_scale * attitude_log_sign
+    del s0, attitude_log_cosine, attitude_log_series, attitude_log_far, attitude_log_sign
+    del attitude_log_scale
     return (
         (
             y_position_x - position_x,
@@ -260,11 +267,15 @@ def _gps_kernel(xp: Any, guards: _arrays.Guards, x: Any) -> _arrays.Nonzeros:
     attitude_01 = attitude_twice_xy - attitude_twice_wz
     attitude_02 = attitude_twice_wy + attitude_twice_xz
     attitude_10 = attitude_twice_wz + attitude_twice_xy
+    del attitude_twice_x, attitude_twice_y, attitude_twice_z, attitude_twice_zz, attitude_twice_xy
+    del attitude_twice_wz
     attitude_11 = -attitude_twice_xx - s0
     attitude_12 = attitude_twice_yz - attitude_twice_wx
     attitude_20 = attitude_twice_xz - attitude_twice_wy
     attitude_21 = attitude_twice_wx + attitude_twice_yz
     attitude_22 = 1.0 - attitude_twice_xx - attitude_twice_yy
+    del s0, attitude_twice_xz, attitude_twice_wy, attitude_twice_yz, attitude_twice_wx
+    del attitude_twice_xx, attitude_twice_yy
     attitude_arm_x = antenna_x * attitude_00 + antenna_y * attitude_01 + antenna_z * attitude_02
     attitude_arm_y = antenna_x * attitude_10 + antenna_y * attitude_11 + antenna_z * attitude_12
     attitude_arm_z = antenna_x * attitude_20 + antenna_y * attitude_21 + antenna_z * attitude_22
@@ -335,11 +346,15 @@ def _range_kernel(
     attitude_01 = attitude_twice_xy - attitude_twice_wz
     attitude_02 = attitude_twice_wy + attitude_twice_xz
     attitude_10 = attitude_twice_wz + attitude_twice_xy
+    del attitude_twice_x, attitude_twice_y, attitude_twice_z, attitude_twice_zz, attitude_twice_xy
+    del attitude_twice_wz
     attitude_11 = -attitude_twice_xx - s0
     attitude_12 = attitude_twice_yz - attitude_twice_wx
     attitude_20 = attitude_twice_xz - attitude_twice_wy
     attitude_21 = attitude_twice_wx + attitude_twice_yz
     attitude_22 = 1.0 - attitude_twice_xx - attitude_twice_yy
+    del s0, attitude_twice_xz, attitude_twice_wy, attitude_twice_yz, attitude_twice_wx
+    del attitude_twice_xx, attitude_twice_yy
     nav_to_ecef_twice_x = 2.0 * nav_to_ecef_x
     nav_to_ecef_twice_y = 2.0 * nav_to_ecef_y
     nav_to_ecef_twice_z = 2.0 * nav_to_ecef_z
@@ -357,11 +372,15 @@ def _range_kernel(
     nav_to_ecef_01 = nav_to_ecef_twice_xy - nav_to_ecef_twice_wz
     nav_to_ecef_02 = nav_to_ecef_twice_wy + nav_to_ecef_twice_xz
     nav_to_ecef_10 = nav_to_ecef_twice_wz + nav_to_ecef_twice_xy
+    del nav_to_ecef_twice_x, nav_to_ecef_twice_y, nav_to_ecef_twice_z, nav_to_ecef_twice_zz
+    del nav_to_ecef_twice_xy, nav_to_ecef_twice_wz
     nav_to_ecef_11 = -nav_to_ecef_twice_xx - s1
     nav_to_ecef_12 = nav_to_ecef_twice_yz - nav_to_ecef_twice_wx
     nav_to_ecef_20 = nav_to_ecef_twice_xz - nav_to_ecef_twice_wy
     nav_to_ecef_21 = nav_to_ecef_twice_wx + nav_to_ecef_twice_yz
     nav_to_ecef_22 = 1.0 - nav_to_ecef_twice_xx - nav_to_ecef_twice_yy
+    del s1, nav_to_ecef_twice_xz, nav_to_ecef_twice_wy, nav_to_ecef_twice_yz, nav_to_ecef_twice_wx
+    del nav_to_ecef_twice_xx, nav_to_ecef_twice_yy
     attitude_arm_x = antenna_x * attitude_00 + antenna_y * attitude_01 + antenna_z * attitude_02
     attitude_arm_y = antenna_x * attitude_10 + antenna_y * attitude_11 + antenna_z * attitude_12
     attitude_arm_z = antenna_x * attitude_20 + antenna_y * attitude_21 + antenna_z * attitude_22
@@ -380,6 +399,7 @@ def _range_kernel(
         antenna_nav_x * nav_to_ecef_20 + antenna_nav_y * nav_to_ecef_21
         + antenna_nav_z * nav_to_ecef_22
     )
+    del attitude_arm_x, attitude_arm_y, attitude_arm_z, antenna_nav_x, antenna_nav_y, antenna_nav_z
     antenna_x_2 = antenna_ecef_x + origin_x
     antenna_y_2 = antenna_ecef_y + origin_y
     antenna_z_2 = antenna_ecef_z + origin_z
@@ -421,6 +441,7 @@ def _range_kernel(
             clock_bias + ionosphere + range + troposphere + antenna_y_2 * turned_satellite_0
             - 299792458.0 * satellite_clock - antenna_x_2 * turned_satellite_1
         )
+        del range_squared, range_vector_x, range_vector_y, range_vector_z, s2, clock_bias, range
         value_by_antenna_2_x = range_direction_x - turned_satellite_1
         value_by_antenna_2_y = range_direction_y + turned_satellite_0
         value_by_antenna_nav_x = (
@@ -435,6 +456,8 @@ def _range_kernel(
             nav_to_ecef_02 * value_by_antenna_2_x + nav_to_ecef_12 * value_by_antenna_2_y
             + nav_to_ecef_22 * range_direction_z
         )
+        del range_direction_x, turned_satellite_1, range_direction_y, turned_satellite_0
+        del range_direction_z, value_by_antenna_2_x, value_by_antenna_2_y
         value_by_attitude_arm_inner_x = (
             attitude_00 * value_by_antenna_nav_x + attitude_10 * value_by_antenna_nav_y
             + attitude_20 * value_by_antenna_nav_z
@@ -515,11 +538,15 @@ def _imu_kernel(
     attitude_01 = attitude_twice_xy - attitude_twice_wz
     attitude_02 = attitude_twice_wy + attitude_twice_xz
     attitude_10 = attitude_twice_wz + attitude_twice_xy
+    del attitude_twice_x, attitude_twice_y, attitude_twice_z, attitude_twice_zz, attitude_twice_xy
+    del attitude_twice_wz
     attitude_11 = -attitude_twice_xx - s0
     attitude_12 = attitude_twice_yz - attitude_twice_wx
     attitude_20 = attitude_twice_xz - attitude_twice_wy
     attitude_21 = attitude_twice_wx + attitude_twice_yz
     attitude_22 = 1.0 - attitude_twice_xx - attitude_twice_yy
+    del s0, attitude_twice_xz, attitude_twice_wy, attitude_twice_yz, attitude_twice_wx
+    del attitude_twice_xx, attitude_twice_yy
     s1 = 0.5 * dt
     delta_theta_dt = s1
     gyro_bias_step_x = delta_theta_dt * gyro_bias_x
@@ -533,6 +560,7 @@ def _imu_kernel(
     a1_z = delta_theta_2 + s4
     a2_x = delta_theta_3 + s2
     a2_y = delta_theta_4 + s3
+    del delta_theta_dt, gyro_bias_step_x, gyro_bias_step_y, gyro_bias_step_z, s2, s3
     a2_z = delta_theta_5 + s4
     delta_velocity_dt = s1
     accelerometer_bias_step_x = accelerometer_bias_x * delta_velocity_dt
@@ -544,6 +572,8 @@ def _imu_kernel(
     v2_x = delta_velocity_3 - accelerometer_bias_step_x
     v2_y = delta_velocity_4 - accelerometer_bias_step_y
     v2_z = delta_velocity_5 - accelerometer_bias_step_z
+    del s4, s1, delta_velocity_dt, accelerometer_bias_step_x, accelerometer_bias_step_y
+    del accelerometer_bias_step_z
     theta_x = a1_x + a2_x
     theta_y = a1_y + a2_y
     theta_z = a1_z + a2_z
@@ -557,6 +587,7 @@ def _imu_kernel(
     sculling2_angle_y = 0.6666666666666666 * a1_y
     sculling2_angle_z = 0.6666666666666666 * a1_z
     sculling2_velocity_y = 0.6666666666666666 * v1_y
+    del theta_x, theta_y, theta_z, a1_y, a1_z, v1_y
     sculling2_velocity_z = 0.6666666666666666 * v1_z
     force_x = (
         s5 * (velocity_x + a2_z * sculling2_velocity_y + half_theta_y * velocity_z
@@ -577,6 +608,7 @@ def _imu_kernel(
     )
     corrected_x = force_x
     corrected_y = force_y
+    del v1_z, a1_x, v1_x, s5, force_x, force_y
     corrected_z = force_z
     resolved_x = attitude_00 * corrected_x + attitude_01 * corrected_y + attitude_02 * corrected_z
     resolved_y = attitude_10 * corrected_x + attitude_11 * corrected_y + attitude_12 * corrected_z
@@ -584,15 +616,22 @@ def _imu_kernel(
     force_by_accelerometer_bias_z_y = -half_theta_x - 0.5 * sculling2_angle_x
     force_by_accelerometer_bias_x_z = -half_theta_y - 0.5 * sculling2_angle_y
     force_by_accelerometer_bias_y_x = -half_theta_z - 0.5 * sculling2_angle_z
+    del force_z, half_theta_x, sculling2_angle_x, half_theta_y, sculling2_angle_y, half_theta_z
+    del sculling2_angle_z
     force_by_gyro_bias_z_y = 0.3333333333333333 * v2_x - 0.5 * sculling2_velocity_x
     force_by_gyro_bias_x_z = 0.3333333333333333 * v2_y - 0.5 * sculling2_velocity_y
     force_by_gyro_bias_y_x = 0.3333333333333333 * v2_z - 0.5 * sculling2_velocity_z
+    del v2_x, sculling2_velocity_x, v2_y, sculling2_velocity_y, v2_z, sculling2_velocity_z
     force_by_accelerometer_bias_z_y_2 = force_by_accelerometer_bias_z_y + 0.3333333333333333 * a2_x
     force_by_accelerometer_bias_x_z_2 = force_by_accelerometer_bias_x_z + 0.3333333333333333 * a2_y
     force_by_accelerometer_bias_y_x_2 = force_by_accelerometer_bias_y_x + 0.3333333333333333 * a2_z
+    del a2_x, force_by_accelerometer_bias_z_y, a2_y, force_by_accelerometer_bias_x_z, a2_z
+    del force_by_accelerometer_bias_y_x
     force_by_gyro_bias_z_y_2 = force_by_gyro_bias_z_y + 0.5 * velocity_x
     force_by_gyro_bias_x_z_2 = force_by_gyro_bias_x_z + 0.5 * velocity_y
     force_by_gyro_bias_y_x_2 = force_by_gyro_bias_y_x + 0.5 * velocity_z
+    del velocity_x, force_by_gyro_bias_z_y, velocity_y, force_by_gyro_bias_x_z, velocity_z
+    del force_by_gyro_bias_y_x
     resolved_by_attitude_z_y = attitude_20 * corrected_z - attitude_22 * corrected_x
     resolved_by_attitude_x_z = attitude_01 * corrected_x - attitude_00 * corrected_y
     resolved_by_attitude_y_x = attitude_12 * corrected_y - attitude_11 * corrected_z
@@ -629,6 +668,8 @@ def _imu_kernel(
     resolved_by_gyro_bias_z_z = (
         attitude_20 * force_by_gyro_bias_x_z_2 - attitude_21 * force_by_gyro_bias_z_y_2
     )
+    del corrected_z, corrected_x, corrected_y, force_by_gyro_bias_y_x_2, force_by_gyro_bias_z_y_2
+    del force_by_gyro_bias_x_z_2
     resolved_by_accelerometer_bias_z_y = (
         attitude_22 * force_by_accelerometer_bias_z_y_2 - attitude_21
         - attitude_20 * force_by_accelerometer_bias_y_x_2
@@ -657,6 +698,7 @@ def _imu_kernel(
         attitude_10 * force_by_accelerometer_bias_x_z_2 - attitude_12
         - attitude_11 * force_by_accelerometer_bias_z_y_2
     )
+    del attitude_00, attitude_01, attitude_02, attitude_10, attitude_11, attitude_12
     resolved_by_accelerometer_bias_z_x = (
         attitude_21 * force_by_accelerometer_bias_y_x_2 - attitude_20
         - attitude_22 * force_by_accelerometer_bias_x_z_2
@@ -665,6 +707,8 @@ def _imu_kernel(
         attitude_20 * force_by_accelerometer_bias_x_z_2 - attitude_22
         - attitude_21 * force_by_accelerometer_bias_z_y_2
     )
+    del force_by_accelerometer_bias_y_x_2, attitude_20, attitude_21, attitude_22
+    del force_by_accelerometer_bias_z_y_2, force_by_accelerometer_bias_x_z_2
     return (
         (resolved_x, resolved_y, resolved_z),
         (

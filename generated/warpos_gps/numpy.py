@@ -1,7 +1,8 @@
 """The functions of ``warpos_gps`` in pure NumPy: no compiler, no dependency.
 
 Leading axes broadcast. Arrays of another library that follows the array API standard (JAX among
-them, also under ``jax.jit``) stay in that library; complex arguments carry derivatives.
+them, also under ``jax.jit``) stay in that library; complex arguments carry derivatives. Names that are
+not read any more are deleted, so that arrays find room in the cache.
 """
 
 from __future__ import annotations
@@ -172,11 +173,15 @@ def _observed_kernel(
     observer_attitude_01 = observer_attitude_twice_xy - observer_attitude_twice_wz
     observer_attitude_02 = observer_attitude_twice_wy + observer_attitude_twice_xz
     observer_attitude_10 = observer_attitude_twice_wz + observer_attitude_twice_xy
+    del observer_attitude_twice_x, observer_attitude_twice_y, observer_attitude_twice_z
+    del observer_attitude_twice_zz, observer_attitude_twice_xy, observer_attitude_twice_wz
     observer_attitude_11 = -observer_attitude_twice_xx - s0
     observer_attitude_12 = observer_attitude_twice_yz - observer_attitude_twice_wx
     observer_attitude_20 = observer_attitude_twice_xz - observer_attitude_twice_wy
     observer_attitude_21 = observer_attitude_twice_wx + observer_attitude_twice_yz
     observer_attitude_22 = 1.0 - observer_attitude_twice_xx - observer_attitude_twice_yy
+    del s0, observer_attitude_twice_xz, observer_attitude_twice_wy, observer_attitude_twice_yz
+    del observer_attitude_twice_wx, observer_attitude_twice_xx, observer_attitude_twice_yy
     antenna_x = position_x
     antenna_y = position_y
     antenna_z = position_z
@@ -232,11 +237,15 @@ def _observed_by_column_kernel(
     observer_attitude_01 = observer_attitude_twice_xy - observer_attitude_twice_wz
     observer_attitude_02 = observer_attitude_twice_wy + observer_attitude_twice_xz
     observer_attitude_10 = observer_attitude_twice_wz + observer_attitude_twice_xy
+    del observer_attitude_twice_x, observer_attitude_twice_y, observer_attitude_twice_z
+    del observer_attitude_twice_zz, observer_attitude_twice_xy, observer_attitude_twice_wz
     observer_attitude_11 = -observer_attitude_twice_xx - s0
     observer_attitude_12 = observer_attitude_twice_yz - observer_attitude_twice_wx
     observer_attitude_20 = observer_attitude_twice_xz - observer_attitude_twice_wy
     observer_attitude_21 = observer_attitude_twice_wx + observer_attitude_twice_yz
     observer_attitude_22 = 1.0 - observer_attitude_twice_xx - observer_attitude_twice_yy
+    del s0, observer_attitude_twice_xz, observer_attitude_twice_wy, observer_attitude_twice_yz
+    del observer_attitude_twice_wx, observer_attitude_twice_xx, observer_attitude_twice_yy
     antenna_x = position_x
     antenna_y = position_y
     antenna_z = position_z
@@ -320,11 +329,15 @@ def _to_state_frame_kernel(
     observer_attitude_01 = observer_attitude_twice_xy - observer_attitude_twice_wz
     observer_attitude_02 = observer_attitude_twice_wy + observer_attitude_twice_xz
     observer_attitude_10 = observer_attitude_twice_wz + observer_attitude_twice_xy
+    del observer_attitude_twice_x, observer_attitude_twice_y, observer_attitude_twice_z
+    del observer_attitude_twice_zz, observer_attitude_twice_xy, observer_attitude_twice_wz
     observer_attitude_11 = -observer_attitude_twice_xx - s0
     observer_attitude_12 = observer_attitude_twice_yz - observer_attitude_twice_wx
     observer_attitude_20 = observer_attitude_twice_xz - observer_attitude_twice_wy
     observer_attitude_21 = observer_attitude_twice_wx + observer_attitude_twice_yz
     observer_attitude_22 = 1.0 - observer_attitude_twice_xx - observer_attitude_twice_yy
+    del s0, observer_attitude_twice_xz, observer_attitude_twice_wy, observer_attitude_twice_yz
+    del observer_attitude_twice_wx, observer_attitude_twice_xx, observer_attitude_twice_yy
     attitude_twice_x = 2.0 * attitude_x
     attitude_twice_y = 2.0 * attitude_y
     attitude_twice_z = 2.0 * attitude_z
@@ -342,11 +355,15 @@ def _to_state_frame_kernel(
     attitude_01 = attitude_twice_xy - attitude_twice_wz
     attitude_02 = attitude_twice_wy + attitude_twice_xz
     attitude_10 = attitude_twice_wz + attitude_twice_xy
+    del attitude_twice_x, attitude_twice_y, attitude_twice_z, attitude_twice_zz, attitude_twice_xy
+    del attitude_twice_wz
     attitude_11 = -attitude_twice_xx - s1
     attitude_12 = attitude_twice_yz - attitude_twice_wx
     attitude_20 = attitude_twice_xz - attitude_twice_wy
     attitude_21 = attitude_twice_wx + attitude_twice_yz
     attitude_22 = 1.0 - attitude_twice_xx - attitude_twice_yy
+    del s1, attitude_twice_xz, attitude_twice_wy, attitude_twice_yz, attitude_twice_wx
+    del attitude_twice_xx, attitude_twice_yy
     fix_x = (
         observer_attitude_00 * receiver_position_x + observer_attitude_01 * receiver_position_y
         + observer_attitude_02 * receiver_position_z
@@ -365,11 +382,13 @@ def _to_state_frame_kernel(
     attitude_arm_y = (
         attitude_10 * lever_arm_x + attitude_11 * lever_arm_y + attitude_12 * lever_arm_z
     )
+    del attitude_00, attitude_01, attitude_02, attitude_10, attitude_11, attitude_12
     attitude_arm_z = (
         attitude_20 * lever_arm_x + attitude_21 * lever_arm_y + attitude_22 * lever_arm_z
     )
     value_out_x = fix_x - attitude_arm_x - origin_offset_x
     value_out_y = fix_y - attitude_arm_y - origin_offset_y
+    del attitude_20, attitude_21, attitude_22, fix_x, attitude_arm_x, fix_y, attitude_arm_y
     value_out_z = fix_z - attitude_arm_z - origin_offset_z
     value_covariance_half_0 = (
         covariance_0 * observer_attitude_00 + covariance_3 * observer_attitude_01
@@ -437,6 +456,9 @@ def _to_state_frame_kernel(
         + observer_attitude_21 * value_covariance_half_4
         + observer_attitude_22 * value_covariance_half_5
     )
+    del fix_z, attitude_arm_z, value_covariance_half_0, value_covariance_half_1
+    del value_covariance_half_2, value_covariance_half_3, value_covariance_half_4
+    del value_covariance_half_5
     value_covariance_out_6 = (
         observer_attitude_00 * value_covariance_half_6
         + observer_attitude_01 * value_covariance_half_7
@@ -447,11 +469,15 @@ def _to_state_frame_kernel(
         + observer_attitude_11 * value_covariance_half_7
         + observer_attitude_12 * value_covariance_half_8
     )
+    del observer_attitude_00, observer_attitude_01, observer_attitude_02, observer_attitude_10
+    del observer_attitude_11, observer_attitude_12
     value_covariance_out_8 = (
         observer_attitude_20 * value_covariance_half_6
         + observer_attitude_21 * value_covariance_half_7
         + observer_attitude_22 * value_covariance_half_8
     )
+    del observer_attitude_20, observer_attitude_21, observer_attitude_22, value_covariance_half_6
+    del value_covariance_half_7, value_covariance_half_8
     return (
         (value_out_x, value_out_y, value_out_z),
         (
