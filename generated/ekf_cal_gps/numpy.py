@@ -1,8 +1,8 @@
 """The functions of ``ekf_cal_gps`` in pure NumPy: no compiler, no dependency.
 
 Leading axes broadcast. Arrays of another library that follows the array API standard (JAX among
-them, also under ``jax.jit``) stay in that library; complex arguments carry derivatives. Names that are
-not read any more are deleted, so that arrays find room in the cache.
+them, also under ``jax.jit``) stay in that library; complex arguments carry derivatives.
+Names that are not read any more are deleted, so that arrays find room in the cache.
 """
 
 from __future__ import annotations
