@@ -288,6 +288,12 @@ def test_shipped_packages_agree(
     assert one.status == package.Status.OK
     many = package.numpy.range(x[None], **{name: value[None] for name, value in given.items()})
     assert_same(one, many)
+    for place in range(items):
+        changed = {**given, "troposphere": given["troposphere"].copy()}
+        changed["troposphere"][place] = np.nan
+        bad = package.numpy.range(x, **changed)
+        assert np.flatnonzero(bad.item_status).tolist() == [place]
+        assert bad.value[place] == 0.0
 
 
 def test_kernels_are_written_once(tmp_path: Path) -> None:
