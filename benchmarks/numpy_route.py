@@ -6,8 +6,8 @@ Every row is one call, interleaved with the others of its size in one process:
 
 - ``numpy``: the package's NumPy back end as it is shipped. Arrays in, value and dense Jacobian as
   arrays out, every argument guarded.
-- ``lambdify_dense``: the quickest way found to the same arrays through ``lambdify`` (flat list,
-  ``cse=True``): the same arrays in, the same arrays out, nothing guarded.
+- ``lambdify_dense``: a flat list with ``cse=True``: the same arrays in, the same arrays out,
+  nothing guarded. One epoch lists its zeros; many write column by column into zeros.
 - ``lambdify_flat``: the same function alone. Numbers or contiguous columns in, a list of results
   out; nothing is taken apart, put together or guarded.
 - ``lambdify_matrices``: ``lambdify`` of a vector and a matrix, as it is usually written; one epoch
