@@ -52,7 +52,7 @@ class BlockGuards(Guards):
 
 def _within(value: Array, lower: float, upper: float) -> bool:
     """True when every number is finite and inside; NaN is not."""
-    real = np.real(value)
+    real = np.asarray(value).real
     if not real.size:
         return True
     return bool(max(lower, -_LARGEST) <= real.min() and real.max() <= min(upper, _LARGEST))

@@ -15,7 +15,7 @@ import pytest
 from symnav import ir
 from tests.emit_numpy import modules, packages
 from tests.emit_numpy.packages import backend, called
-from tests.emit_numpy.records import add, argument, call, domain, function, mul, number, output
+from tests.emit_numpy.records import add, argument, call, domain, function, mul, number, output, ref
 
 Op = ir.Operation
 
@@ -63,12 +63,23 @@ def divided() -> ir.Function:
     )
 
 
+def known(value: float) -> ir.Function:
+    """A condition on a number that depends on no argument."""
+    checked = ir.Check("checked", number(value), 1.0, 2.0, 1.5, ir.Status.DOMAIN, "known")
+    return function(
+        "within" if 1.0 <= value <= 2.0 else "outside",
+        (argument(domain("a", 1, (-9.0, 9.0))),),
+        (output("value", (1,), [((0,), mul(ir.Load("a", 0), ref("checked")))]),),
+        shared=[checked],
+    )
+
+
 @pytest.fixture(scope="module")
 def small(tmp_path_factory: pytest.TempPathFactory) -> ModuleType:
     """A package of the functions above, and some that need arrays."""
     functions = (
         modules.gps(), modules.ranges(), modules.frame_map(), modules.operations(), plain_ranges(),
-        wide(), divided(), modules.unguarded(replace(divided(), name="free")),
+        wide(), divided(), known(1.25), known(3.0), modules.unguarded(replace(divided(), name="free")),
     )  # fmt: skip
     module = modules.module(*functions)
     folder = tmp_path_factory.mktemp("numbers") / "small"
@@ -206,6 +217,14 @@ def test_what_python_refuses(small: ModuleType, value: float) -> None:
     expected = small.divided(a=np.array([value])).value[0]
     assert np.array_equal(small.divided(a=value).value, expected, equal_nan=True)
     assert np.array_equal(small.free(a=value).value, expected, equal_nan=True)
+
+
+def test_conditions_on_known_numbers(small: ModuleType) -> None:
+    """They pass or fail for one epoch and for many."""
+    assert small.within(a=2.0).value == small.within(a=np.array([2.0])).value[0] == 2.5
+    assert small.outside(a=np.array([2.0, 3.0])).status.tolist() == [ir.Status.DOMAIN] * 2
+    with pytest.raises(small.GuardError, match="known must lie in"):
+        small.outside(a=2.0)
 
 
 def test_without_guards_anything_passes(small: ModuleType) -> None:
