@@ -79,7 +79,8 @@ def small(tmp_path_factory: pytest.TempPathFactory) -> ModuleType:
     """A package of the functions above, and some that need arrays."""
     functions = (
         modules.gps(), modules.ranges(), modules.frame_map(), modules.operations(), plain_ranges(),
-        wide(), divided(), known(1.25), known(3.0), modules.unguarded(replace(divided(), name="free")),
+        wide(), divided(), known(1.25), known(3.0),
+        modules.unguarded(replace(divided(), name="free")),
     )  # fmt: skip
     module = modules.module(*functions)
     folder = tmp_path_factory.mktemp("numbers") / "small"
