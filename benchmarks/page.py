@@ -1,6 +1,6 @@
 """Writes the figures of ``docs/performance.md``: tables and plot from the files of three runs.
 
-usage: python benchmarks/page.py     reads benchmarks/results/{o2,v3,native}.json
+usage: python benchmarks/page.py     reads benchmarks/results/{o2,v3,native,numpy}.json
 """
 
 from __future__ import annotations
@@ -57,6 +57,8 @@ def page(runs: Mapping[str, Figures]) -> Iterator[str]:
     yield from floors(runs["v3"])
     yield from sizes(runs)
     yield from python_calls(runs["v3"])
+    if (RESULTS / "numpy.json").exists():
+        yield from numpy_route(json.loads((RESULTS / "numpy.json").read_text(encoding="utf-8")))
 
 
 def times(flags: str, figures: Figures) -> Iterator[str]:
@@ -186,6 +188,23 @@ def python_calls(figures: Figures) -> Iterator[str]:
         f"the same bytes takes {number(copy)} ns, {copy / stream:.2f} of it."
     )
     yield ""
+
+
+def numpy_route(figures: Mapping[str, Mapping[str, Mapping[str, float]]]) -> Iterator[str]:
+    """The NumPy back end against ``lambdify``, by number of epochs."""
+    for epochs in next(iter(figures.values())):
+        found = {model: figures[model][epochs] for model in MODELS}
+        yield f"## The NumPy route, {int(epochs):,} epochs in one call (ns for one epoch)"
+        yield ""
+        names = dict.fromkeys(name for times in found.values() for name in times)
+        rows = [
+            [f"`{n}`", *(number(found[m][n]) if n in found[m] else "" for m in MODELS)]
+            for n in names
+        ]
+        for rival in ("lambdify_dense", "lambdify_flat"):
+            ratios = (found[m]["numpy"] / found[m][rival] for m in MODELS)
+            rows.append([f"`numpy` over `{rival}`", *(f"{ratio:.2f}" for ratio in ratios)])
+        yield from table(["way", *MODELS], rows)
 
 
 def table(headings: list[str], rows: list[list[str]]) -> Iterator[str]:

@@ -62,7 +62,7 @@ def built(problem: Problem, folder: Path, *, native: bool) -> ModuleType:
     return pipeline.import_package(made)
 
 
-def timed(ways: Mapping[str, tuple[Call, int]]) -> dict[str, float]:
+def timed(ways: Mapping[str, tuple[Call, int]], repetitions: int = REPETITIONS) -> dict[str, float]:
     """Median over the repetitions of bursts of every way in turn."""
     counts = {}
     for name, (call, _) in ways.items():
@@ -71,7 +71,7 @@ def timed(ways: Mapping[str, tuple[Call, int]]) -> dict[str, float]:
         call()
         counts[name] = max(1, int(BURST / (time.perf_counter() - start + 1e-9)))
     taken: dict[str, list[float]] = {name: [] for name in ways}
-    for _ in range(REPETITIONS):
+    for _ in range(repetitions):
         for name, (call, epochs) in ways.items():
             start = time.perf_counter_ns()
             for _ in range(counts[name]):

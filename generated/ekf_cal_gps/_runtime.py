@@ -234,6 +234,10 @@ def collect(signature: Signature, given: Sequence[Any], inputs: Mapping[str, Any
     """Puts the arguments of a call in order; a missing or unknown name is a TypeError."""
     names = signature.names
     allowed = 1 if names[:1] == ("x",) else 0
+    if len(given) == allowed and len(inputs) == len(names) - allowed:
+        values = [*given, *map(inputs.get, names[allowed:])]
+        if all(value is not None for value in values):
+            return values
     if len(given) > allowed:
         raise TypeError(
             f"{signature.name}() takes {'x' if allowed else 'nothing'} by position and the rest by "
@@ -268,7 +272,7 @@ def _expectation(argument: Argument) -> str:
 def as_numbers(argument: Argument, value: Any, real: np.dtype[Any], complex_: bool) -> Array:
     """Converts an argument to an array of the back end's type; refuses what would lose meaning."""
     array = np.asarray(value)
-    if array.dtype == real and not argument.integer:
+    if not argument.integer and array.dtype == real:
         return array
     kind = array.dtype.kind
     if argument.integer:

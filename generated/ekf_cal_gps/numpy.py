@@ -2,6 +2,7 @@
 
 Leading axes broadcast. Arrays of another library that follows the array API standard (JAX among
 them, also under ``jax.jit``) stay in that library; complex arguments carry derivatives.
+Names that are not read any more are deleted, so that arrays find room in the cache.
 """
 
 from __future__ import annotations
@@ -12,49 +13,49 @@ from . import _arrays, _calls, _interface
 
 
 def _retract_kernel(xp: Any, guards: _arrays.Guards, x: Any, d: Any) -> _arrays.Nonzeros:
-    position_x = x[..., 0]
-    position_y = x[..., 1]
-    position_z = x[..., 2]
-    velocity_x = x[..., 3]
-    velocity_y = x[..., 4]
-    velocity_z = x[..., 5]
-    acceleration_x = x[..., 6]
-    acceleration_y = x[..., 7]
-    acceleration_z = x[..., 8]
-    attitude_w = x[..., 9]
-    attitude_x = x[..., 10]
-    attitude_y = x[..., 11]
-    attitude_z = x[..., 12]
-    angular_rate_x = x[..., 13]
-    angular_rate_y = x[..., 14]
-    angular_rate_z = x[..., 15]
-    angular_acceleration_x = x[..., 16]
-    angular_acceleration_y = x[..., 17]
-    angular_acceleration_z = x[..., 18]
-    antenna_x = x[..., 19]
-    antenna_y = x[..., 20]
-    antenna_z = x[..., 21]
-    d_position_x = d[..., 0]
-    d_position_y = d[..., 1]
-    d_position_z = d[..., 2]
-    d_velocity_x = d[..., 3]
-    d_velocity_y = d[..., 4]
-    d_velocity_z = d[..., 5]
-    d_acceleration_x = d[..., 6]
-    d_acceleration_y = d[..., 7]
-    d_acceleration_z = d[..., 8]
-    d_attitude_x = d[..., 9]
-    d_attitude_y = d[..., 10]
-    d_attitude_z = d[..., 11]
-    d_angular_rate_x = d[..., 12]
-    d_angular_rate_y = d[..., 13]
-    d_angular_rate_z = d[..., 14]
-    d_angular_acceleration_x = d[..., 15]
-    d_angular_acceleration_y = d[..., 16]
-    d_angular_acceleration_z = d[..., 17]
-    d_antenna_x = d[..., 18]
-    d_antenna_y = d[..., 19]
-    d_antenna_z = d[..., 20]
+    position_x = x[0]
+    position_y = x[1]
+    position_z = x[2]
+    velocity_x = x[3]
+    velocity_y = x[4]
+    velocity_z = x[5]
+    acceleration_x = x[6]
+    acceleration_y = x[7]
+    acceleration_z = x[8]
+    attitude_w = x[9]
+    attitude_x = x[10]
+    attitude_y = x[11]
+    attitude_z = x[12]
+    angular_rate_x = x[13]
+    angular_rate_y = x[14]
+    angular_rate_z = x[15]
+    angular_acceleration_x = x[16]
+    angular_acceleration_y = x[17]
+    angular_acceleration_z = x[18]
+    antenna_x = x[19]
+    antenna_y = x[20]
+    antenna_z = x[21]
+    d_position_x = d[0]
+    d_position_y = d[1]
+    d_position_z = d[2]
+    d_velocity_x = d[3]
+    d_velocity_y = d[4]
+    d_velocity_z = d[5]
+    d_acceleration_x = d[6]
+    d_acceleration_y = d[7]
+    d_acceleration_z = d[8]
+    d_attitude_x = d[9]
+    d_attitude_y = d[10]
+    d_attitude_z = d[11]
+    d_angular_rate_x = d[12]
+    d_angular_rate_y = d[13]
+    d_angular_rate_z = d[14]
+    d_angular_acceleration_x = d[15]
+    d_angular_acceleration_y = d[16]
+    d_angular_acceleration_z = d[17]
+    d_antenna_x = d[18]
+    d_antenna_y = d[19]
+    d_antenna_z = d[20]
     attitude_exp_angle_squared = (
         d_attitude_x * d_attitude_x + d_attitude_y * d_attitude_y + d_attitude_z * d_attitude_z
     )
@@ -75,6 +76,8 @@ def _retract_kernel(xp: Any, guards: _arrays.Guards, x: Any, d: Any) -> _arrays.
     attitude_exp_far_cosine = xp.cos(attitude_exp_half)
     attitude_exp_far_sinc = xp.sin(attitude_exp_half) / attitude_exp_angle
     attitude_exp_cosine = xp.where(s0, attitude_exp_near_cosine, attitude_exp_far_cosine)
+    del attitude_exp_safe_squared, attitude_exp_angle_squared, attitude_exp_angle
+    del attitude_exp_half, attitude_exp_near_cosine, attitude_exp_far_cosine
     attitude_exp_sinc = xp.where(s0, attitude_exp_near_sinc, attitude_exp_far_sinc)
     attitude_step_w = attitude_exp_cosine
     attitude_step_x = attitude_exp_sinc * d_attitude_x
@@ -116,50 +119,50 @@ retract = _calls.publish(_arrays.ArrayFunction(_interface.RETRACT, _retract_kern
 
 
 def _local_kernel(xp: Any, guards: _arrays.Guards, x: Any, y: Any) -> _arrays.Nonzeros:
-    position_x = x[..., 0]
-    position_y = x[..., 1]
-    position_z = x[..., 2]
-    velocity_x = x[..., 3]
-    velocity_y = x[..., 4]
-    velocity_z = x[..., 5]
-    acceleration_x = x[..., 6]
-    acceleration_y = x[..., 7]
-    acceleration_z = x[..., 8]
-    attitude_w = x[..., 9]
-    attitude_x = x[..., 10]
-    attitude_y = x[..., 11]
-    attitude_z = x[..., 12]
-    angular_rate_x = x[..., 13]
-    angular_rate_y = x[..., 14]
-    angular_rate_z = x[..., 15]
-    angular_acceleration_x = x[..., 16]
-    angular_acceleration_y = x[..., 17]
-    angular_acceleration_z = x[..., 18]
-    antenna_x = x[..., 19]
-    antenna_y = x[..., 20]
-    antenna_z = x[..., 21]
-    y_position_x = y[..., 0]
-    y_position_y = y[..., 1]
-    y_position_z = y[..., 2]
-    y_velocity_x = y[..., 3]
-    y_velocity_y = y[..., 4]
-    y_velocity_z = y[..., 5]
-    y_acceleration_x = y[..., 6]
-    y_acceleration_y = y[..., 7]
-    y_acceleration_z = y[..., 8]
-    y_attitude_w = y[..., 9]
-    y_attitude_x = y[..., 10]
-    y_attitude_y = y[..., 11]
-    y_attitude_z = y[..., 12]
-    y_angular_rate_x = y[..., 13]
-    y_angular_rate_y = y[..., 14]
-    y_angular_rate_z = y[..., 15]
-    y_angular_acceleration_x = y[..., 16]
-    y_angular_acceleration_y = y[..., 17]
-    y_angular_acceleration_z = y[..., 18]
-    y_antenna_x = y[..., 19]
-    y_antenna_y = y[..., 20]
-    y_antenna_z = y[..., 21]
+    position_x = x[0]
+    position_y = x[1]
+    position_z = x[2]
+    velocity_x = x[3]
+    velocity_y = x[4]
+    velocity_z = x[5]
+    acceleration_x = x[6]
+    acceleration_y = x[7]
+    acceleration_z = x[8]
+    attitude_w = x[9]
+    attitude_x = x[10]
+    attitude_y = x[11]
+    attitude_z = x[12]
+    angular_rate_x = x[13]
+    angular_rate_y = x[14]
+    angular_rate_z = x[15]
+    angular_acceleration_x = x[16]
+    angular_acceleration_y = x[17]
+    angular_acceleration_z = x[18]
+    antenna_x = x[19]
+    antenna_y = x[20]
+    antenna_z = x[21]
+    y_position_x = y[0]
+    y_position_y = y[1]
+    y_position_z = y[2]
+    y_velocity_x = y[3]
+    y_velocity_y = y[4]
+    y_velocity_z = y[5]
+    y_acceleration_x = y[6]
+    y_acceleration_y = y[7]
+    y_acceleration_z = y[8]
+    y_attitude_w = y[9]
+    y_attitude_x = y[10]
+    y_attitude_y = y[11]
+    y_attitude_z = y[12]
+    y_angular_rate_x = y[13]
+    y_angular_rate_y = y[14]
+    y_angular_rate_z = y[15]
+    y_angular_acceleration_x = y[16]
+    y_angular_acceleration_y = y[17]
+    y_angular_acceleration_z = y[18]
+    y_antenna_x = y[19]
+    y_antenna_y = y[20]
+    y_antenna_z = y[21]
     attitude_log_of_w = (
         attitude_w * y_attitude_w + attitude_x * y_attitude_x + attitude_y * y_attitude_y
         + attitude_z * y_attitude_z
@@ -198,10 +201,14 @@ def _local_kernel(xp: Any, guards: _arrays.Guards, x: Any, y: Any) -> _arrays.No
         - 0.3333333333333333)
     )
     attitude_log_far = 2.0 * xp.atan2(attitude_log_sine, attitude_log_w) / attitude_log_sine
+    del attitude_log_of_w, attitude_log_safe_squared, attitude_log_sine_squared
+    del attitude_log_tangent_squared, attitude_log_w, attitude_log_sine
     attitude_log_scale = (
         xp.where(s0, 2.0 * attitude_log_series / attitude_log_cosine, attitude_log_far)
     )
     attitude_log_signed_scale = attitude_log_scale * attitude_log_sign
+    del s0, attitude_log_cosine, attitude_log_series, attitude_log_far, attitude_log_sign
+    del attitude_log_scale
     return (
         (
             y_position_x - position_x,
@@ -233,19 +240,19 @@ local = _calls.publish(_arrays.ArrayFunction(_interface.LOCAL, _local_kernel), _
 
 
 def _gps_kernel(xp: Any, guards: _arrays.Guards, x: Any, measured: Any) -> _arrays.Nonzeros:
-    position_x = x[..., 0]
-    position_y = x[..., 1]
-    position_z = x[..., 2]
-    attitude_w = x[..., 9]
-    attitude_x = x[..., 10]
-    attitude_y = x[..., 11]
-    attitude_z = x[..., 12]
-    antenna_x = x[..., 19]
-    antenna_y = x[..., 20]
-    antenna_z = x[..., 21]
-    measured_x = measured[..., 0]
-    measured_y = measured[..., 1]
-    measured_z = measured[..., 2]
+    position_x = x[0]
+    position_y = x[1]
+    position_z = x[2]
+    attitude_w = x[9]
+    attitude_x = x[10]
+    attitude_y = x[11]
+    attitude_z = x[12]
+    antenna_x = x[19]
+    antenna_y = x[20]
+    antenna_z = x[21]
+    measured_x = measured[0]
+    measured_y = measured[1]
+    measured_z = measured[2]
     attitude_twice_x = 2.0 * attitude_x
     attitude_twice_y = 2.0 * attitude_y
     attitude_twice_z = 2.0 * attitude_z
@@ -263,11 +270,15 @@ def _gps_kernel(xp: Any, guards: _arrays.Guards, x: Any, measured: Any) -> _arra
     attitude_01 = attitude_twice_xy - attitude_twice_wz
     attitude_02 = attitude_twice_wy + attitude_twice_xz
     attitude_10 = attitude_twice_wz + attitude_twice_xy
+    del attitude_twice_x, attitude_twice_y, attitude_twice_z, attitude_twice_zz, attitude_twice_xy
+    del attitude_twice_wz
     attitude_11 = -attitude_twice_xx - s0
     attitude_12 = attitude_twice_yz - attitude_twice_wx
     attitude_20 = attitude_twice_xz - attitude_twice_wy
     attitude_21 = attitude_twice_wx + attitude_twice_yz
     attitude_22 = 1.0 - attitude_twice_xx - attitude_twice_yy
+    del s0, attitude_twice_xz, attitude_twice_wy, attitude_twice_yz, attitude_twice_wx
+    del attitude_twice_xx, attitude_twice_yy
     attitude_arm_x = antenna_x * attitude_00 + antenna_y * attitude_01 + antenna_z * attitude_02
     attitude_arm_y = antenna_x * attitude_10 + antenna_y * attitude_11 + antenna_z * attitude_12
     attitude_arm_z = antenna_x * attitude_20 + antenna_y * attitude_21 + antenna_z * attitude_22
@@ -303,19 +314,19 @@ gps = _calls.publish(_arrays.ArrayFunction(_interface.GPS, _gps_kernel), __name_
 def _gps_known_antenna_kernel(
     xp: Any, guards: _arrays.Guards, x: Any, lever_arm: Any, measured: Any
 ) -> _arrays.Nonzeros:
-    position_x = x[..., 0]
-    position_y = x[..., 1]
-    position_z = x[..., 2]
-    attitude_w = x[..., 9]
-    attitude_x = x[..., 10]
-    attitude_y = x[..., 11]
-    attitude_z = x[..., 12]
-    lever_arm_x = lever_arm[..., 0]
-    lever_arm_y = lever_arm[..., 1]
-    lever_arm_z = lever_arm[..., 2]
-    measured_x = measured[..., 0]
-    measured_y = measured[..., 1]
-    measured_z = measured[..., 2]
+    position_x = x[0]
+    position_y = x[1]
+    position_z = x[2]
+    attitude_w = x[9]
+    attitude_x = x[10]
+    attitude_y = x[11]
+    attitude_z = x[12]
+    lever_arm_x = lever_arm[0]
+    lever_arm_y = lever_arm[1]
+    lever_arm_z = lever_arm[2]
+    measured_x = measured[0]
+    measured_y = measured[1]
+    measured_z = measured[2]
     attitude_twice_x = 2.0 * attitude_x
     attitude_twice_y = 2.0 * attitude_y
     attitude_twice_z = 2.0 * attitude_z
@@ -333,11 +344,15 @@ def _gps_known_antenna_kernel(
     attitude_01 = attitude_twice_xy - attitude_twice_wz
     attitude_02 = attitude_twice_wy + attitude_twice_xz
     attitude_10 = attitude_twice_wz + attitude_twice_xy
+    del attitude_twice_x, attitude_twice_y, attitude_twice_z, attitude_twice_zz, attitude_twice_xy
+    del attitude_twice_wz
     attitude_11 = -attitude_twice_xx - s0
     attitude_12 = attitude_twice_yz - attitude_twice_wx
     attitude_20 = attitude_twice_xz - attitude_twice_wy
     attitude_21 = attitude_twice_wx + attitude_twice_yz
     attitude_22 = 1.0 - attitude_twice_xx - attitude_twice_yy
+    del s0, attitude_twice_xz, attitude_twice_wy, attitude_twice_yz, attitude_twice_wx
+    del attitude_twice_xx, attitude_twice_yy
     attitude_arm_x = (
         attitude_00 * lever_arm_x + attitude_01 * lever_arm_y + attitude_02 * lever_arm_z
     )
@@ -355,10 +370,12 @@ def _gps_known_antenna_kernel(
     attitude_arm_by_attitude_y_x = attitude_12 * lever_arm_y - attitude_11 * lever_arm_z
     attitude_arm_by_attitude_x_x = attitude_02 * lever_arm_y - attitude_01 * lever_arm_z
     attitude_arm_by_attitude_x_y = attitude_00 * lever_arm_z - attitude_02 * lever_arm_x
+    del attitude_arm_x, attitude_arm_y, attitude_arm_z, attitude_01, attitude_00, attitude_02
     attitude_arm_by_attitude_y_y = attitude_10 * lever_arm_z - attitude_12 * lever_arm_x
     attitude_arm_by_attitude_y_z = attitude_11 * lever_arm_x - attitude_10 * lever_arm_y
     attitude_arm_by_attitude_z_x = attitude_22 * lever_arm_y - attitude_21 * lever_arm_z
     attitude_arm_by_attitude_z_z = attitude_21 * lever_arm_x - attitude_20 * lever_arm_y
+    del attitude_12, attitude_10, attitude_11, attitude_22, attitude_20, attitude_21
     return (
         (value_out_x, value_out_y, value_out_z),
         (measured_x - value_out_x, measured_y - value_out_y, measured_z - value_out_z),
@@ -380,21 +397,21 @@ gps_known_antenna = _calls.publish(
 def _local_fix_kernel(
     xp: Any, guards: _arrays.Guards, heading: Any, fix: Any, reference: Any, covariance: Any
 ) -> _arrays.Nonzeros:
-    fix_latitude = fix[..., 0]
-    fix_longitude = fix[..., 1]
-    fix_height = fix[..., 2]
-    reference_latitude = reference[..., 0]
-    reference_longitude = reference[..., 1]
-    reference_height = reference[..., 2]
-    covariance_0 = covariance[..., 0]
-    covariance_1 = covariance[..., 1]
-    covariance_2 = covariance[..., 2]
-    covariance_3 = covariance[..., 3]
-    covariance_4 = covariance[..., 4]
-    covariance_5 = covariance[..., 5]
-    covariance_6 = covariance[..., 6]
-    covariance_7 = covariance[..., 7]
-    covariance_8 = covariance[..., 8]
+    fix_latitude = fix[0]
+    fix_longitude = fix[1]
+    fix_height = fix[2]
+    reference_latitude = reference[0]
+    reference_longitude = reference[1]
+    reference_height = reference[2]
+    covariance_0 = covariance[0]
+    covariance_1 = covariance[1]
+    covariance_2 = covariance[2]
+    covariance_3 = covariance[3]
+    covariance_4 = covariance[4]
+    covariance_5 = covariance[5]
+    covariance_6 = covariance[6]
+    covariance_7 = covariance[7]
+    covariance_8 = covariance[8]
     heading_cosine = xp.cos(heading)
     heading_sine = xp.sin(heading)
     s0 = 0.5 * fix_latitude
@@ -414,6 +431,7 @@ def _local_fix_kernel(
     w_reference_deficit = 0.006694379990141317 * (sin_reference * sin_reference)
     w_reference_squared = 1.0 - w_reference_deficit
     w_reference = xp.sqrt(w_reference_squared)
+    del s0, s1, w_deficit, w_squared, w_reference_deficit, w_reference_squared
     inverse_w = 1.0 / w
     normal = 6378137.0 * inverse_w
     c_half = xp.cos(half_latitude_change)
@@ -439,6 +457,8 @@ def _local_fix_kernel(
     s11 = s_half_lon * s_half_lon
     sagitta = axis_distance * s11
     inward = outward - 2.0 * sagitta
+    del inverse_w, half_latitude_change, mean_latitude, sine_product, half_longitude_change
+    del outward, sagitta
     polar_normal = fix_height + 0.9933056200098587 * normal
     s12 = polar_normal * s9
     rise = c_mean * s12 + sin_reference * (height_change + 0.9933056200098587 * normal_change)
@@ -448,12 +468,14 @@ def _local_fix_kernel(
     east = c_half_lon * s14
     up = cos_reference * inward + rise * sin_reference
     level_position_x = east
+    del normal, normal_change, height_change, inward, rise, east
     level_position_y = north
     level_position_z = up
     local_x = heading_cosine * level_position_x - heading_sine * level_position_y
     local_y = heading_cosine * level_position_y + heading_sine * level_position_x
     local_z = level_position_z
     rise_by_c_mean = s12
+    del north, up, level_position_x, level_position_y, level_position_z, s12
     rise_by_normal_change = 0.9933056200098587 * sin_reference
     rise_by_polar_normal = c_mean * s9
     rise_by_s_half = 2.0 * c_mean * polar_normal
@@ -463,11 +485,13 @@ def _local_fix_kernel(
     normal_change_by_inverse_w_product = s7
     normal_change_by_sine_product = 170790.69082871987 * inverse_w_product
     inverse_w_product_by_w_product = -(1.0 / (w_product * w_product))
+    del polar_normal, w, s2, s7, inverse_w_product, w_product
     w_product_by_w = s6 + s5 * w_reference
     axis_distance_by_cos_latitude = s8
     outward_by_fix_z = -s10
     outward_by_s_half = -2.0 * s8 * s_mean
     outward_by_s_mean = -(s8 * s9)
+    del w_reference, s5, s6, s10, s8, s9
     east_by_axis_distance = c_half_lon * s13
     east_by_s_half_lon = 2.0 * axis_distance * c_half_lon
     c_half_by_fix_x = -0.5 * s_half
@@ -478,32 +502,46 @@ def _local_fix_kernel(
     outward_by_fix_x = outward_by_s_half * s_half_by_fix_x
     s_mean_by_fix_x = 0.5 * c_mean
     outward_by_fix_x_2 = outward_by_fix_x + outward_by_s_mean * s_mean_by_fix_x
+    del s13, axis_distance, s_half_lon, rise_by_s_half, outward_by_s_half, outward_by_s_mean
+    del outward_by_fix_x
     rise_by_fix_x_2 = rise_by_fix_x + c_mean_by_fix_x * rise_by_c_mean
     w_deficit_by_fix_x = cos_latitude * w_deficit_by_sin_latitude
     axis_distance_by_fix_x = -(axis_distance_by_cos_latitude * sin_latitude)
     w_by_fix_x = -(w_by_w_squared * w_deficit_by_fix_x)
+    del rise_by_c_mean, rise_by_fix_x, w_deficit_by_sin_latitude, sin_latitude
+    del axis_distance_by_cos_latitude, w_by_w_squared, w_deficit_by_fix_x
     inverse_w_by_fix_x = inverse_w_by_w * w_by_fix_x
     w_product_by_fix_x = w_by_fix_x * w_product_by_w
     normal_by_fix_x = 6378137.0 * inverse_w_by_fix_x
     polar_normal_by_fix_x = 0.9933056200098587 * normal_by_fix_x
     axis_distance_by_fix_x_2 = axis_distance_by_fix_x + cos_latitude * normal_by_fix_x
     outward_by_fix_x_3 = outward_by_fix_x_2 + normal_by_fix_x * outward_by_fix_z
+    del inverse_w_by_w, w_product_by_w, w_by_fix_x, inverse_w_by_fix_x, axis_distance_by_fix_x
+    del outward_by_fix_x_2, normal_by_fix_x
     sine_product_by_c_half = s4
     sine_product_by_c_mean = c_half * s3
     s15 = c_half * c_mean
     sine_product_by_s_half = s15 * s_mean
     sine_product_by_fix_x = s_half_by_fix_x * sine_product_by_s_half
+    del s4, s3, c_mean, c_half, s_mean, s_half_by_fix_x, sine_product_by_s_half
     sine_product_by_s_mean = s15 * s_half
     sine_product_by_fix_x_2 = sine_product_by_fix_x + s_mean_by_fix_x * sine_product_by_s_mean
     sine_product_by_fix_x_3 = sine_product_by_fix_x_2 + c_mean_by_fix_x * sine_product_by_c_mean
+    del s_half, s15, s_mean_by_fix_x, sine_product_by_fix_x, sine_product_by_s_mean
+    del c_mean_by_fix_x, sine_product_by_c_mean, sine_product_by_fix_x_2
     sine_product_by_fix_x_4 = sine_product_by_fix_x_3 + c_half_by_fix_x * sine_product_by_c_half
     normal_change_by_fix_x = normal_change_by_sine_product * sine_product_by_fix_x_4
     inverse_w_product_by_fix_x = inverse_w_product_by_w_product * w_product_by_fix_x
+    del c_half_by_fix_x, sine_product_by_c_half, sine_product_by_fix_x_3
+    del normal_change_by_sine_product, sine_product_by_fix_x_4, inverse_w_product_by_w_product
+    del w_product_by_fix_x
     normal_change_by_fix_x_2 = (
         normal_change_by_fix_x + inverse_w_product_by_fix_x * normal_change_by_inverse_w_product
     )
     rise_by_fix_x_3 = rise_by_fix_x_2 + normal_change_by_fix_x_2 * rise_by_normal_change
     outward_by_fix_x_4 = outward_by_fix_x_3 + cos_reference * normal_change_by_fix_x_2
+    del normal_change_by_inverse_w_product, normal_change_by_fix_x, inverse_w_product_by_fix_x
+    del rise_by_normal_change, rise_by_fix_x_2, outward_by_fix_x_3, normal_change_by_fix_x_2
     outward_by_fix_z_2 = cos_reference + outward_by_fix_z
     east_by_fix_x = axis_distance_by_fix_x_2 * east_by_axis_distance
     east_by_fix_z = cos_latitude * east_by_axis_distance
@@ -511,10 +549,14 @@ def _local_fix_kernel(
     east_by_fix_y = east_by_s_half_lon * s_half_lon_by_fix_y
     sagitta_by_s_half_lon = s14
     east_by_fix_y_2 = east_by_fix_y + c_half_lon_by_fix_y * sagitta_by_s_half_lon
+    del outward_by_fix_z, east_by_axis_distance, c_half_lon, east_by_s_half_lon, s14
+    del c_half_lon_by_fix_y, east_by_fix_y
     sagitta_by_axis_distance = s11
     sagitta_by_fix_x = axis_distance_by_fix_x_2 * sagitta_by_axis_distance
     inward_by_fix_x = outward_by_fix_x_4 - 2.0 * sagitta_by_fix_x
     sagitta_by_fix_y = s_half_lon_by_fix_y * sagitta_by_s_half_lon
+    del s11, axis_distance_by_fix_x_2, outward_by_fix_x_4, sagitta_by_fix_x, s_half_lon_by_fix_y
+    del sagitta_by_s_half_lon
     inward_by_fix_y = -2.0 * sagitta_by_fix_y
     sagitta_by_fix_z = cos_latitude * sagitta_by_axis_distance
     inward_by_fix_z = outward_by_fix_z_2 - 2.0 * sagitta_by_fix_z
@@ -522,20 +564,28 @@ def _local_fix_kernel(
     up_by_fix_y = cos_reference * inward_by_fix_y
     up_by_fix_z = cos_reference * inward_by_fix_z
     north_by_fix_x = -(inward_by_fix_x * sin_reference)
+    del sagitta_by_fix_y, cos_latitude, sagitta_by_axis_distance, outward_by_fix_z_2
+    del sagitta_by_fix_z, inward_by_fix_x
     north_by_fix_y = -(inward_by_fix_y * sin_reference)
     north_by_fix_z = -(inward_by_fix_z * sin_reference)
     rise_by_fix_x_4 = rise_by_fix_x_3 + polar_normal_by_fix_x * rise_by_polar_normal
     rise_by_fix_z = rise_by_polar_normal + sin_reference
     up_by_fix_x_2 = up_by_fix_x + rise_by_fix_x_4 * sin_reference
+    del inward_by_fix_y, inward_by_fix_z, polar_normal_by_fix_x, rise_by_fix_x_3
+    del rise_by_polar_normal, up_by_fix_x
     up_by_fix_z_2 = up_by_fix_z + rise_by_fix_z * sin_reference
     north_by_fix_x_2 = north_by_fix_x + cos_reference * rise_by_fix_x_4
     north_by_fix_z_2 = north_by_fix_z + cos_reference * rise_by_fix_z
+    del sin_reference, up_by_fix_z, north_by_fix_x, rise_by_fix_x_4, cos_reference, north_by_fix_z
+    del rise_by_fix_z
     local_by_fix_x_z = east_by_fix_z * heading_cosine - heading_sine * north_by_fix_z_2
     local_by_fix_y_x = east_by_fix_x * heading_sine + heading_cosine * north_by_fix_x_2
     local_by_fix_x_x = east_by_fix_x * heading_cosine - heading_sine * north_by_fix_x_2
     local_by_fix_x_y = east_by_fix_y_2 * heading_cosine - heading_sine * north_by_fix_y
     local_by_fix_y_y = east_by_fix_y_2 * heading_sine + heading_cosine * north_by_fix_y
     local_by_fix_y_z = east_by_fix_z * heading_sine + heading_cosine * north_by_fix_z_2
+    del east_by_fix_x, north_by_fix_x_2, east_by_fix_y_2, north_by_fix_y, heading_cosine
+    del heading_sine, east_by_fix_z, north_by_fix_z_2
     value_covariance_half_0 = (
         covariance_0 * local_by_fix_x_x + covariance_3 * local_by_fix_x_y
         + covariance_6 * local_by_fix_x_z
@@ -593,6 +643,8 @@ def _local_fix_kernel(
         up_by_fix_x_2 * value_covariance_half_3 + up_by_fix_y * value_covariance_half_4
         + up_by_fix_z_2 * value_covariance_half_5
     )
+    del value_covariance_half_0, value_covariance_half_1, value_covariance_half_2
+    del value_covariance_half_3, value_covariance_half_4, value_covariance_half_5
     value_covariance_out_6 = (
         local_by_fix_x_x * value_covariance_half_6 + local_by_fix_x_y * value_covariance_half_7
         + local_by_fix_x_z * value_covariance_half_8

@@ -8,16 +8,16 @@ from typing import Any
 
 import numpy as np
 
-from ._arrays import ArrayFunction, Computed, Nonzeros
+from ._masked import Computed, MaskedFunction
 from ._places import gather
 from ._runtime import Array, Extent, Output, Part, Signature, Status, output_shape, outputs_of
 
 
-class ForeignFunction(ArrayFunction):
+class ForeignFunction(MaskedFunction):
     """A function behind CasADi's calling convention: arrays of pointers, columns first."""
 
     def __init__(self, extension: ModuleType, package: str, signature: Signature) -> None:
-        super().__init__(signature, _no_kernel)
+        super().__init__(signature)
         self._ffi: Any = extension.ffi
         name = f"{package}_casadi_{signature.name}"
         self._entry = getattr(extension.lib, name)
@@ -99,7 +99,3 @@ class ForeignFunction(ArrayFunction):
         if part is Part.NONZEROS:
             return gather(output, flat, named)
         return np.array(flat.reshape(output_shape(output, part, extent)), order="C")
-
-
-def _no_kernel(*arguments: Any) -> Nonzeros:
-    raise NotImplementedError("the arithmetic is in C")

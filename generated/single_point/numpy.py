@@ -2,6 +2,7 @@
 
 Leading axes broadcast. Arrays of another library that follows the array API standard (JAX among
 them, also under ``jax.jit``) stay in that library; complex arguments carry derivatives.
+Names that are not read any more are deleted, so that arrays find room in the cache.
 """
 
 from __future__ import annotations
@@ -12,14 +13,14 @@ from . import _arrays, _calls, _interface, _runtime
 
 
 def _retract_kernel(xp: Any, guards: _arrays.Guards, x: Any, d: Any) -> _arrays.Nonzeros:
-    position_x = x[..., 0]
-    position_y = x[..., 1]
-    position_z = x[..., 2]
-    clock_bias = x[..., 3]
-    d_position_x = d[..., 0]
-    d_position_y = d[..., 1]
-    d_position_z = d[..., 2]
-    d_clock_bias = d[..., 3]
+    position_x = x[0]
+    position_y = x[1]
+    position_z = x[2]
+    clock_bias = x[3]
+    d_position_x = d[0]
+    d_position_y = d[1]
+    d_position_z = d[2]
+    d_clock_bias = d[3]
     return (
         (
             d_position_x + position_x,
@@ -34,14 +35,14 @@ retract = _calls.publish(_arrays.ArrayFunction(_interface.RETRACT, _retract_kern
 
 
 def _local_kernel(xp: Any, guards: _arrays.Guards, x: Any, y: Any) -> _arrays.Nonzeros:
-    position_x = x[..., 0]
-    position_y = x[..., 1]
-    position_z = x[..., 2]
-    clock_bias = x[..., 3]
-    y_position_x = y[..., 0]
-    y_position_y = y[..., 1]
-    y_position_z = y[..., 2]
-    y_clock_bias = y[..., 3]
+    position_x = x[0]
+    position_y = x[1]
+    position_z = x[2]
+    clock_bias = x[3]
+    y_position_x = y[0]
+    y_position_y = y[1]
+    y_position_z = y[2]
+    y_clock_bias = y[3]
     return (
         (
             y_position_x - position_x,
@@ -55,53 +56,52 @@ def _local_kernel(xp: Any, guards: _arrays.Guards, x: Any, y: Any) -> _arrays.No
 local = _calls.publish(_arrays.ArrayFunction(_interface.LOCAL, _local_kernel), __name__)
 
 
-def _pseudorange_kernel(
-    xp: Any,
-    guards: _arrays.Guards,
-    x: Any,
-    satellite_position: Any,
-    satellite_clock: Any,
-    troposphere: Any,
-    ionosphere: Any,
-) -> _arrays.Nonzeros:
-    position_x = x[..., 0]
-    position_y = x[..., 1]
-    position_z = x[..., 2]
-    clock_bias = x[..., 3]
-    satellite_position_x = satellite_position[..., 0]
-    satellite_position_y = satellite_position[..., 1]
-    satellite_position_z = satellite_position[..., 2]
+def _pseudorange_kernel(xp: Any, guards: _arrays.Guards, x: Any) -> _arrays.Mapped:
+    position_x = x[0]
+    position_y = x[1]
+    position_z = x[2]
+    clock_bias = x[3]
     antenna_x = position_x
     antenna_y = position_y
     antenna_z = position_z
-    range_vector_x = antenna_x - satellite_position_x
-    range_vector_y = antenna_y - satellite_position_y
-    range_vector_z = antenna_z - satellite_position_z
-    # squared range
-    range_squared = guards.check_item(
-        range_vector_x * range_vector_x + range_vector_y * range_vector_y
-        + range_vector_z * range_vector_z,
-        1e-12,
-        1e30,
-        1.0,
-        _runtime.Status.DOMAIN,
-    )
-    range = xp.sqrt(range_squared)
-    s0 = 1.0 / range
-    range_direction_x = range_vector_x * s0
-    range_direction_y = range_vector_y * s0
-    range_direction_z = range_vector_z * s0
-    turned_satellite_0 = 2.4323877909897254e-13 * satellite_position_x
-    turned_satellite_1 = 2.4323877909897254e-13 * satellite_position_y
-    value_out = (
-        clock_bias + ionosphere + range + troposphere + antenna_y * turned_satellite_0
-        - 299792458.0 * satellite_clock - antenna_x * turned_satellite_1
-    )
-    value_out_by_position_x = range_direction_x - turned_satellite_1
-    value_out_by_position_y = range_direction_y + turned_satellite_0
-    return (
-        (value_out,), (value_out_by_position_x, value_out_by_position_y, range_direction_z, 1.0)
-    )
+
+    def item(
+        satellite_position: Any, satellite_clock: Any, troposphere: Any, ionosphere: Any
+    ) -> _arrays.Nonzeros:
+        satellite_position_x = satellite_position[0]
+        satellite_position_y = satellite_position[1]
+        satellite_position_z = satellite_position[2]
+        range_vector_x = antenna_x - satellite_position_x
+        range_vector_y = antenna_y - satellite_position_y
+        range_vector_z = antenna_z - satellite_position_z
+        # squared range
+        range_squared = guards.check_item(
+            range_vector_x * range_vector_x + range_vector_y * range_vector_y
+            + range_vector_z * range_vector_z,
+            1e-12,
+            1e30,
+            1.0,
+            _runtime.Status.DOMAIN,
+        )
+        range = xp.sqrt(range_squared)
+        s0 = 1.0 / range
+        range_direction_x = range_vector_x * s0
+        range_direction_y = range_vector_y * s0
+        range_direction_z = range_vector_z * s0
+        turned_satellite_0 = 2.4323877909897254e-13 * satellite_position_x
+        turned_satellite_1 = 2.4323877909897254e-13 * satellite_position_y
+        value_out = (
+            clock_bias + ionosphere + range + troposphere + antenna_y * turned_satellite_0
+            - 299792458.0 * satellite_clock - antenna_x * turned_satellite_1
+        )
+        del range_squared, range_vector_x, range_vector_y, range_vector_z, s0, range
+        value_out_by_position_x = range_direction_x - turned_satellite_1
+        value_out_by_position_y = range_direction_y + turned_satellite_0
+        return (
+            (value_out,), (value_out_by_position_x, value_out_by_position_y, range_direction_z, 1.0)
+        )
+
+    return (), item
 
 
 pseudorange = _calls.publish(
@@ -109,44 +109,43 @@ pseudorange = _calls.publish(
 )
 
 
-def _pseudorange_without_sagnac_kernel(
-    xp: Any,
-    guards: _arrays.Guards,
-    x: Any,
-    satellite_position: Any,
-    satellite_clock: Any,
-    troposphere: Any,
-    ionosphere: Any,
-) -> _arrays.Nonzeros:
-    position_x = x[..., 0]
-    position_y = x[..., 1]
-    position_z = x[..., 2]
-    clock_bias = x[..., 3]
-    satellite_position_x = satellite_position[..., 0]
-    satellite_position_y = satellite_position[..., 1]
-    satellite_position_z = satellite_position[..., 2]
+def _pseudorange_without_sagnac_kernel(xp: Any, guards: _arrays.Guards, x: Any) -> _arrays.Mapped:
+    position_x = x[0]
+    position_y = x[1]
+    position_z = x[2]
+    clock_bias = x[3]
     antenna_x = position_x
     antenna_y = position_y
     antenna_z = position_z
-    range_vector_x = antenna_x - satellite_position_x
-    range_vector_y = antenna_y - satellite_position_y
-    range_vector_z = antenna_z - satellite_position_z
-    # squared range
-    range_squared = guards.check_item(
-        range_vector_x * range_vector_x + range_vector_y * range_vector_y
-        + range_vector_z * range_vector_z,
-        1e-12,
-        1e30,
-        1.0,
-        _runtime.Status.DOMAIN,
-    )
-    range = xp.sqrt(range_squared)
-    s0 = 1.0 / range
-    range_direction_x = range_vector_x * s0
-    range_direction_y = range_vector_y * s0
-    range_direction_z = range_vector_z * s0
-    value_out = clock_bias + ionosphere + range + troposphere - 299792458.0 * satellite_clock
-    return ((value_out,), (range_direction_x, range_direction_y, range_direction_z, 1.0))
+
+    def item(
+        satellite_position: Any, satellite_clock: Any, troposphere: Any, ionosphere: Any
+    ) -> _arrays.Nonzeros:
+        satellite_position_x = satellite_position[0]
+        satellite_position_y = satellite_position[1]
+        satellite_position_z = satellite_position[2]
+        range_vector_x = antenna_x - satellite_position_x
+        range_vector_y = antenna_y - satellite_position_y
+        range_vector_z = antenna_z - satellite_position_z
+        # squared range
+        range_squared = guards.check_item(
+            range_vector_x * range_vector_x + range_vector_y * range_vector_y
+            + range_vector_z * range_vector_z,
+            1e-12,
+            1e30,
+            1.0,
+            _runtime.Status.DOMAIN,
+        )
+        range = xp.sqrt(range_squared)
+        s0 = 1.0 / range
+        range_direction_x = range_vector_x * s0
+        range_direction_y = range_vector_y * s0
+        range_direction_z = range_vector_z * s0
+        value_out = clock_bias + ionosphere + range + troposphere - 299792458.0 * satellite_clock
+        del range_squared, range_vector_x, range_vector_y, range_vector_z, s0, range
+        return ((value_out,), (range_direction_x, range_direction_y, range_direction_z, 1.0))
+
+    return (), item
 
 
 pseudorange_without_sagnac = _calls.publish(
@@ -205,6 +204,7 @@ def _broadcast_orbit_kernel(
         anomaly_2 - (anomaly_2 - mean_anomaly_now - eccentricity * xp.sin(anomaly_2)) / (1.0
         - eccentricity * xp.cos(anomaly_2))
     )
+    del computed_motion, since_toe_raw, since_toe_weeks, anomaly_0, anomaly_1, anomaly_2
     eccentric_anomaly = (
         anomaly_3 - (anomaly_3 - mean_anomaly_now - eccentricity * xp.sin(anomaly_3)) / (1.0
         - eccentricity * xp.cos(anomaly_3))
@@ -219,6 +219,7 @@ def _broadcast_orbit_kernel(
     major = cos_anomaly - eccentricity
     true_anomaly = xp.atan2(minor, major)
     latitude_argument = argument_of_perigee + true_anomaly
+    del mean_anomaly_now, anomaly_3, s0, eccentric_anomaly, sin_anomaly, true_anomaly
     doubled_argument = 2.0 * latitude_argument
     cos_doubled = xp.cos(doubled_argument)
     sin_doubled = xp.sin(doubled_argument)
@@ -240,6 +241,7 @@ def _broadcast_orbit_kernel(
     in_plane_level = cos_inclination * in_plane_y
     s2 = cos_node * in_plane_x
     sin_node = xp.sin(node)
+    del doubled_argument, latitude_argument, since_toe, corrected_argument, radius, node
     s3 = in_plane_level * sin_node
     position_x = s2 - s3
     s4 = cos_node * in_plane_level
@@ -257,47 +259,65 @@ def _broadcast_orbit_kernel(
     sin_anomaly_clock = s1
     relativity = -(s7 * sin_anomaly_clock)
     clock = af0 + relativity + clock_drift * since_toc - group_delay
+    del inclination_now, since_toc_raw, since_toc_weeks, eccentric_root, s1, since_toc, relativity
     s8 = 1.0 / (major * major + minor * minor)
     true_anomaly_by_major = -(minor * s8)
     true_anomaly_by_minor = major * s8
     radius_by_cos_anomaly = -(eccentricity * semi_major_axis)
     true_anomaly_by_sin_anomaly = axis_ratio * true_anomaly_by_minor
+    del minor, major, s8, semi_major_axis, axis_ratio, true_anomaly_by_minor
     true_anomaly_by_eccentric_anomaly = cos_anomaly * true_anomaly_by_sin_anomaly
     eccentric_anomaly_by_time = anomaly_slope_mean * mean_motion
     value_by_node_x = -s4
     value_by_node_y = s2
     true_anomaly_by_time = eccentric_anomaly_by_time * true_anomaly_by_eccentric_anomaly
+    del true_anomaly_by_sin_anomaly, mean_motion, anomaly_slope_mean, s4, s2
+    del true_anomaly_by_eccentric_anomaly
     cos_anomaly_by_time = -(eccentric_anomaly_by_time * sin_anomaly_clock)
     true_anomaly_by_time_2 = true_anomaly_by_time + cos_anomaly_by_time * true_anomaly_by_major
     radius_by_time = cos_anomaly_by_time * radius_by_cos_anomaly
     s9 = 2.0 * true_anomaly_by_time_2
     cos_doubled_by_time = -(s9 * sin_doubled)
+    del sin_anomaly_clock, true_anomaly_by_major, true_anomaly_by_time, radius_by_cos_anomaly
+    del cos_anomaly_by_time, sin_doubled
     value_by_node_x_2 = value_by_node_x - s5
     value_by_node_y_2 = value_by_node_y - s3
     value_by_time_x = node_rate * value_by_node_x_2
     value_by_time_y = node_rate * value_by_node_y_2
+    del s5, value_by_node_x, s3, value_by_node_y, value_by_node_x_2, node_rate, value_by_node_y_2
     sin_doubled_by_time = cos_doubled * s9
     inclination_now_by_time = inclination_rate + cis * sin_doubled_by_time
     corrected_argument_by_time = true_anomaly_by_time_2 + cus * sin_doubled_by_time
     radius_by_time_2 = radius_by_time + crs * sin_doubled_by_time
     inclination_now_by_time_2 = inclination_now_by_time + cic * cos_doubled_by_time
+    del cos_doubled, s9, true_anomaly_by_time_2, radius_by_time, sin_doubled_by_time
+    del inclination_now_by_time
     corrected_argument_by_time_2 = corrected_argument_by_time + cos_doubled_by_time * cuc
     radius_by_time_3 = radius_by_time_2 + cos_doubled_by_time * crc
     value_by_time_z = in_plane_level * inclination_now_by_time_2
     in_plane_level_by_time = -(inclination_now_by_time_2 * position_z)
     in_plane_y_by_time = corrected_argument_by_time_2 * in_plane_x
+    del corrected_argument_by_time, cos_doubled_by_time, radius_by_time_2, in_plane_level
+    del inclination_now_by_time_2, in_plane_x
     in_plane_x_by_time = -(corrected_argument_by_time_2 * in_plane_y)
     in_plane_y_by_time_2 = in_plane_y_by_time + radius_by_time_3 * sin_argument
     in_plane_x_by_time_2 = in_plane_x_by_time + cos_argument * radius_by_time_3
+    del in_plane_y, corrected_argument_by_time_2, sin_argument, in_plane_y_by_time, cos_argument
+    del radius_by_time_3, in_plane_x_by_time
     value_by_time_z_2 = value_by_time_z + in_plane_y_by_time_2 * sin_inclination
     in_plane_level_by_time_2 = in_plane_level_by_time + cos_inclination * in_plane_y_by_time_2
     value_by_time_x_2 = value_by_time_x + cos_node * in_plane_x_by_time_2
+    del sin_inclination, value_by_time_z, cos_inclination, in_plane_level_by_time
+    del in_plane_y_by_time_2, value_by_time_x
     value_by_time_y_2 = value_by_time_y + in_plane_x_by_time_2 * sin_node
     value_by_time_x_3 = value_by_time_x_2 - in_plane_level_by_time_2 * sin_node
     value_by_time_y_3 = value_by_time_y_2 + cos_node * in_plane_level_by_time_2
+    del value_by_time_y, in_plane_x_by_time_2, sin_node, value_by_time_x_2, cos_node
+    del in_plane_level_by_time_2, value_by_time_y_2
     clock_by_time = clock_drift + s6
     sin_anomaly_clock_by_time = cos_anomaly * eccentric_anomaly_by_time
     relativity_by_time = -(s7 * sin_anomaly_clock_by_time)
+    del s6, clock_drift, cos_anomaly, eccentric_anomaly_by_time, s7, sin_anomaly_clock_by_time
     clock_by_time_2 = clock_by_time + relativity_by_time
     return (
         (position_x, position_y, position_z),

@@ -91,10 +91,11 @@ def _violated(signature: Signature, status: Status, arrays: Sequence[Array]) -> 
     kernel = vars(numpy).get(f"_{signature.name}_kernel")
     if kernel is None:
         return None
-    guards, wide = ArrayFunction(signature, kernel).guard(np, [np.real(array) for array in arrays])
+    function = ArrayFunction(signature, kernel)
+    guards, wide = function.guard(np, [np.real(array) for array in arrays])
     trace = _Trace(guards)
     with np.errstate(all="ignore"):
-        kernel(np, trace, *wide)
+        function.run(np, trace, wide)
     for failure in trace.failures:
         if failure.status is not status:
             continue

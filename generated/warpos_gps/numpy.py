@@ -2,6 +2,7 @@
 
 Leading axes broadcast. Arrays of another library that follows the array API standard (JAX among
 them, also under ``jax.jit``) stay in that library; complex arguments carry derivatives.
+Names that are not read any more are deleted, so that arrays find room in the cache.
 """
 
 from __future__ import annotations
@@ -12,36 +13,36 @@ from . import _arrays, _calls, _interface
 
 
 def _retract_kernel(xp: Any, guards: _arrays.Guards, x: Any, d: Any) -> _arrays.Nonzeros:
-    leading_0 = x[..., 0]
-    leading_1 = x[..., 1]
-    leading_2 = x[..., 2]
-    leading_3 = x[..., 3]
-    position_x = x[..., 4]
-    position_y = x[..., 5]
-    position_z = x[..., 6]
-    trailing_0 = x[..., 7]
-    trailing_1 = x[..., 8]
-    trailing_2 = x[..., 9]
-    trailing_3 = x[..., 10]
-    trailing_4 = x[..., 11]
-    trailing_5 = x[..., 12]
-    trailing_6 = x[..., 13]
-    trailing_7 = x[..., 14]
-    d_leading_0 = d[..., 0]
-    d_leading_1 = d[..., 1]
-    d_leading_2 = d[..., 2]
-    d_leading_3 = d[..., 3]
-    d_position_x = d[..., 4]
-    d_position_y = d[..., 5]
-    d_position_z = d[..., 6]
-    d_trailing_0 = d[..., 7]
-    d_trailing_1 = d[..., 8]
-    d_trailing_2 = d[..., 9]
-    d_trailing_3 = d[..., 10]
-    d_trailing_4 = d[..., 11]
-    d_trailing_5 = d[..., 12]
-    d_trailing_6 = d[..., 13]
-    d_trailing_7 = d[..., 14]
+    leading_0 = x[0]
+    leading_1 = x[1]
+    leading_2 = x[2]
+    leading_3 = x[3]
+    position_x = x[4]
+    position_y = x[5]
+    position_z = x[6]
+    trailing_0 = x[7]
+    trailing_1 = x[8]
+    trailing_2 = x[9]
+    trailing_3 = x[10]
+    trailing_4 = x[11]
+    trailing_5 = x[12]
+    trailing_6 = x[13]
+    trailing_7 = x[14]
+    d_leading_0 = d[0]
+    d_leading_1 = d[1]
+    d_leading_2 = d[2]
+    d_leading_3 = d[3]
+    d_position_x = d[4]
+    d_position_y = d[5]
+    d_position_z = d[6]
+    d_trailing_0 = d[7]
+    d_trailing_1 = d[8]
+    d_trailing_2 = d[9]
+    d_trailing_3 = d[10]
+    d_trailing_4 = d[11]
+    d_trailing_5 = d[12]
+    d_trailing_6 = d[13]
+    d_trailing_7 = d[14]
     return (
         (
             d_leading_0 + leading_0,
@@ -67,36 +68,36 @@ retract = _calls.publish(_arrays.ArrayFunction(_interface.RETRACT, _retract_kern
 
 
 def _local_kernel(xp: Any, guards: _arrays.Guards, x: Any, y: Any) -> _arrays.Nonzeros:
-    leading_0 = x[..., 0]
-    leading_1 = x[..., 1]
-    leading_2 = x[..., 2]
-    leading_3 = x[..., 3]
-    position_x = x[..., 4]
-    position_y = x[..., 5]
-    position_z = x[..., 6]
-    trailing_0 = x[..., 7]
-    trailing_1 = x[..., 8]
-    trailing_2 = x[..., 9]
-    trailing_3 = x[..., 10]
-    trailing_4 = x[..., 11]
-    trailing_5 = x[..., 12]
-    trailing_6 = x[..., 13]
-    trailing_7 = x[..., 14]
-    y_leading_0 = y[..., 0]
-    y_leading_1 = y[..., 1]
-    y_leading_2 = y[..., 2]
-    y_leading_3 = y[..., 3]
-    y_position_x = y[..., 4]
-    y_position_y = y[..., 5]
-    y_position_z = y[..., 6]
-    y_trailing_0 = y[..., 7]
-    y_trailing_1 = y[..., 8]
-    y_trailing_2 = y[..., 9]
-    y_trailing_3 = y[..., 10]
-    y_trailing_4 = y[..., 11]
-    y_trailing_5 = y[..., 12]
-    y_trailing_6 = y[..., 13]
-    y_trailing_7 = y[..., 14]
+    leading_0 = x[0]
+    leading_1 = x[1]
+    leading_2 = x[2]
+    leading_3 = x[3]
+    position_x = x[4]
+    position_y = x[5]
+    position_z = x[6]
+    trailing_0 = x[7]
+    trailing_1 = x[8]
+    trailing_2 = x[9]
+    trailing_3 = x[10]
+    trailing_4 = x[11]
+    trailing_5 = x[12]
+    trailing_6 = x[13]
+    trailing_7 = x[14]
+    y_leading_0 = y[0]
+    y_leading_1 = y[1]
+    y_leading_2 = y[2]
+    y_leading_3 = y[3]
+    y_position_x = y[4]
+    y_position_y = y[5]
+    y_position_z = y[6]
+    y_trailing_0 = y[7]
+    y_trailing_1 = y[8]
+    y_trailing_2 = y[9]
+    y_trailing_3 = y[10]
+    y_trailing_4 = y[11]
+    y_trailing_5 = y[12]
+    y_trailing_6 = y[13]
+    y_trailing_7 = y[14]
     return (
         (
             y_leading_0 - leading_0,
@@ -122,9 +123,9 @@ local = _calls.publish(_arrays.ArrayFunction(_interface.LOCAL, _local_kernel), _
 
 
 def _measurement_kernel(xp: Any, guards: _arrays.Guards, x: Any) -> _arrays.Nonzeros:
-    position_x = x[..., 4]
-    position_y = x[..., 5]
-    position_z = x[..., 6]
+    position_x = x[4]
+    position_y = x[5]
+    position_z = x[6]
     return ((position_x, position_y, position_z), (1.0, 1.0, 1.0))
 
 
@@ -134,9 +135,9 @@ measurement = _calls.publish(
 
 
 def _measurement_by_column_kernel(xp: Any, guards: _arrays.Guards, x: Any) -> _arrays.Nonzeros:
-    position_x = x[..., 4]
-    position_y = x[..., 5]
-    position_z = x[..., 6]
+    position_x = x[4]
+    position_y = x[5]
+    position_z = x[6]
     return ((position_x, position_y, position_z), (1.0, 1.0, 1.0))
 
 
@@ -148,13 +149,13 @@ measurement_by_column = _calls.publish(
 def _observed_kernel(
     xp: Any, guards: _arrays.Guards, x: Any, observer_attitude: Any
 ) -> _arrays.Nonzeros:
-    position_x = x[..., 4]
-    position_y = x[..., 5]
-    position_z = x[..., 6]
-    observer_attitude_w = observer_attitude[..., 0]
-    observer_attitude_x = observer_attitude[..., 1]
-    observer_attitude_y = observer_attitude[..., 2]
-    observer_attitude_z = observer_attitude[..., 3]
+    position_x = x[4]
+    position_y = x[5]
+    position_z = x[6]
+    observer_attitude_w = observer_attitude[0]
+    observer_attitude_x = observer_attitude[1]
+    observer_attitude_y = observer_attitude[2]
+    observer_attitude_z = observer_attitude[3]
     observer_attitude_twice_x = 2.0 * observer_attitude_x
     observer_attitude_twice_y = 2.0 * observer_attitude_y
     observer_attitude_twice_z = 2.0 * observer_attitude_z
@@ -172,11 +173,15 @@ def _observed_kernel(
     observer_attitude_01 = observer_attitude_twice_xy - observer_attitude_twice_wz
     observer_attitude_02 = observer_attitude_twice_wy + observer_attitude_twice_xz
     observer_attitude_10 = observer_attitude_twice_wz + observer_attitude_twice_xy
+    del observer_attitude_twice_x, observer_attitude_twice_y, observer_attitude_twice_z
+    del observer_attitude_twice_zz, observer_attitude_twice_xy, observer_attitude_twice_wz
     observer_attitude_11 = -observer_attitude_twice_xx - s0
     observer_attitude_12 = observer_attitude_twice_yz - observer_attitude_twice_wx
     observer_attitude_20 = observer_attitude_twice_xz - observer_attitude_twice_wy
     observer_attitude_21 = observer_attitude_twice_wx + observer_attitude_twice_yz
     observer_attitude_22 = 1.0 - observer_attitude_twice_xx - observer_attitude_twice_yy
+    del s0, observer_attitude_twice_xz, observer_attitude_twice_wy, observer_attitude_twice_yz
+    del observer_attitude_twice_wx, observer_attitude_twice_xx, observer_attitude_twice_yy
     antenna_x = position_x
     antenna_y = position_y
     antenna_z = position_z
@@ -208,13 +213,13 @@ observed = _calls.publish(_arrays.ArrayFunction(_interface.OBSERVED, _observed_k
 def _observed_by_column_kernel(
     xp: Any, guards: _arrays.Guards, x: Any, observer_attitude: Any
 ) -> _arrays.Nonzeros:
-    position_x = x[..., 4]
-    position_y = x[..., 5]
-    position_z = x[..., 6]
-    observer_attitude_w = observer_attitude[..., 0]
-    observer_attitude_x = observer_attitude[..., 1]
-    observer_attitude_y = observer_attitude[..., 2]
-    observer_attitude_z = observer_attitude[..., 3]
+    position_x = x[4]
+    position_y = x[5]
+    position_z = x[6]
+    observer_attitude_w = observer_attitude[0]
+    observer_attitude_x = observer_attitude[1]
+    observer_attitude_y = observer_attitude[2]
+    observer_attitude_z = observer_attitude[3]
     observer_attitude_twice_x = 2.0 * observer_attitude_x
     observer_attitude_twice_y = 2.0 * observer_attitude_y
     observer_attitude_twice_z = 2.0 * observer_attitude_z
@@ -232,11 +237,15 @@ def _observed_by_column_kernel(
     observer_attitude_01 = observer_attitude_twice_xy - observer_attitude_twice_wz
     observer_attitude_02 = observer_attitude_twice_wy + observer_attitude_twice_xz
     observer_attitude_10 = observer_attitude_twice_wz + observer_attitude_twice_xy
+    del observer_attitude_twice_x, observer_attitude_twice_y, observer_attitude_twice_z
+    del observer_attitude_twice_zz, observer_attitude_twice_xy, observer_attitude_twice_wz
     observer_attitude_11 = -observer_attitude_twice_xx - s0
     observer_attitude_12 = observer_attitude_twice_yz - observer_attitude_twice_wx
     observer_attitude_20 = observer_attitude_twice_xz - observer_attitude_twice_wy
     observer_attitude_21 = observer_attitude_twice_wx + observer_attitude_twice_yz
     observer_attitude_22 = 1.0 - observer_attitude_twice_xx - observer_attitude_twice_yy
+    del s0, observer_attitude_twice_xz, observer_attitude_twice_wy, observer_attitude_twice_yz
+    del observer_attitude_twice_wx, observer_attitude_twice_xx, observer_attitude_twice_yy
     antenna_x = position_x
     antenna_y = position_y
     antenna_z = position_z
@@ -277,32 +286,32 @@ def _to_state_frame_kernel(
     lever_arm: Any,
     covariance: Any,
 ) -> _arrays.Nonzeros:
-    observer_attitude_w = observer_attitude[..., 0]
-    observer_attitude_x = observer_attitude[..., 1]
-    observer_attitude_y = observer_attitude[..., 2]
-    observer_attitude_z = observer_attitude[..., 3]
-    receiver_position_x = receiver_position[..., 0]
-    receiver_position_y = receiver_position[..., 1]
-    receiver_position_z = receiver_position[..., 2]
-    origin_offset_x = origin_offset[..., 0]
-    origin_offset_y = origin_offset[..., 1]
-    origin_offset_z = origin_offset[..., 2]
-    attitude_w = attitude[..., 0]
-    attitude_x = attitude[..., 1]
-    attitude_y = attitude[..., 2]
-    attitude_z = attitude[..., 3]
-    lever_arm_x = lever_arm[..., 0]
-    lever_arm_y = lever_arm[..., 1]
-    lever_arm_z = lever_arm[..., 2]
-    covariance_0 = covariance[..., 0]
-    covariance_1 = covariance[..., 1]
-    covariance_2 = covariance[..., 2]
-    covariance_3 = covariance[..., 3]
-    covariance_4 = covariance[..., 4]
-    covariance_5 = covariance[..., 5]
-    covariance_6 = covariance[..., 6]
-    covariance_7 = covariance[..., 7]
-    covariance_8 = covariance[..., 8]
+    observer_attitude_w = observer_attitude[0]
+    observer_attitude_x = observer_attitude[1]
+    observer_attitude_y = observer_attitude[2]
+    observer_attitude_z = observer_attitude[3]
+    receiver_position_x = receiver_position[0]
+    receiver_position_y = receiver_position[1]
+    receiver_position_z = receiver_position[2]
+    origin_offset_x = origin_offset[0]
+    origin_offset_y = origin_offset[1]
+    origin_offset_z = origin_offset[2]
+    attitude_w = attitude[0]
+    attitude_x = attitude[1]
+    attitude_y = attitude[2]
+    attitude_z = attitude[3]
+    lever_arm_x = lever_arm[0]
+    lever_arm_y = lever_arm[1]
+    lever_arm_z = lever_arm[2]
+    covariance_0 = covariance[0]
+    covariance_1 = covariance[1]
+    covariance_2 = covariance[2]
+    covariance_3 = covariance[3]
+    covariance_4 = covariance[4]
+    covariance_5 = covariance[5]
+    covariance_6 = covariance[6]
+    covariance_7 = covariance[7]
+    covariance_8 = covariance[8]
     observer_attitude_twice_x = 2.0 * observer_attitude_x
     observer_attitude_twice_y = 2.0 * observer_attitude_y
     observer_attitude_twice_z = 2.0 * observer_attitude_z
@@ -320,11 +329,15 @@ def _to_state_frame_kernel(
     observer_attitude_01 = observer_attitude_twice_xy - observer_attitude_twice_wz
     observer_attitude_02 = observer_attitude_twice_wy + observer_attitude_twice_xz
     observer_attitude_10 = observer_attitude_twice_wz + observer_attitude_twice_xy
+    del observer_attitude_twice_x, observer_attitude_twice_y, observer_attitude_twice_z
+    del observer_attitude_twice_zz, observer_attitude_twice_xy, observer_attitude_twice_wz
     observer_attitude_11 = -observer_attitude_twice_xx - s0
     observer_attitude_12 = observer_attitude_twice_yz - observer_attitude_twice_wx
     observer_attitude_20 = observer_attitude_twice_xz - observer_attitude_twice_wy
     observer_attitude_21 = observer_attitude_twice_wx + observer_attitude_twice_yz
     observer_attitude_22 = 1.0 - observer_attitude_twice_xx - observer_attitude_twice_yy
+    del s0, observer_attitude_twice_xz, observer_attitude_twice_wy, observer_attitude_twice_yz
+    del observer_attitude_twice_wx, observer_attitude_twice_xx, observer_attitude_twice_yy
     attitude_twice_x = 2.0 * attitude_x
     attitude_twice_y = 2.0 * attitude_y
     attitude_twice_z = 2.0 * attitude_z
@@ -342,11 +355,15 @@ def _to_state_frame_kernel(
     attitude_01 = attitude_twice_xy - attitude_twice_wz
     attitude_02 = attitude_twice_wy + attitude_twice_xz
     attitude_10 = attitude_twice_wz + attitude_twice_xy
+    del attitude_twice_x, attitude_twice_y, attitude_twice_z, attitude_twice_zz, attitude_twice_xy
+    del attitude_twice_wz
     attitude_11 = -attitude_twice_xx - s1
     attitude_12 = attitude_twice_yz - attitude_twice_wx
     attitude_20 = attitude_twice_xz - attitude_twice_wy
     attitude_21 = attitude_twice_wx + attitude_twice_yz
     attitude_22 = 1.0 - attitude_twice_xx - attitude_twice_yy
+    del s1, attitude_twice_xz, attitude_twice_wy, attitude_twice_yz, attitude_twice_wx
+    del attitude_twice_xx, attitude_twice_yy
     fix_x = (
         observer_attitude_00 * receiver_position_x + observer_attitude_01 * receiver_position_y
         + observer_attitude_02 * receiver_position_z
@@ -365,11 +382,13 @@ def _to_state_frame_kernel(
     attitude_arm_y = (
         attitude_10 * lever_arm_x + attitude_11 * lever_arm_y + attitude_12 * lever_arm_z
     )
+    del attitude_00, attitude_01, attitude_02, attitude_10, attitude_11, attitude_12
     attitude_arm_z = (
         attitude_20 * lever_arm_x + attitude_21 * lever_arm_y + attitude_22 * lever_arm_z
     )
     value_out_x = fix_x - attitude_arm_x - origin_offset_x
     value_out_y = fix_y - attitude_arm_y - origin_offset_y
+    del attitude_20, attitude_21, attitude_22, fix_x, attitude_arm_x, fix_y, attitude_arm_y
     value_out_z = fix_z - attitude_arm_z - origin_offset_z
     value_covariance_half_0 = (
         covariance_0 * observer_attitude_00 + covariance_3 * observer_attitude_01
@@ -437,6 +456,9 @@ def _to_state_frame_kernel(
         + observer_attitude_21 * value_covariance_half_4
         + observer_attitude_22 * value_covariance_half_5
     )
+    del fix_z, attitude_arm_z, value_covariance_half_0, value_covariance_half_1
+    del value_covariance_half_2, value_covariance_half_3, value_covariance_half_4
+    del value_covariance_half_5
     value_covariance_out_6 = (
         observer_attitude_00 * value_covariance_half_6
         + observer_attitude_01 * value_covariance_half_7
@@ -447,11 +469,15 @@ def _to_state_frame_kernel(
         + observer_attitude_11 * value_covariance_half_7
         + observer_attitude_12 * value_covariance_half_8
     )
+    del observer_attitude_00, observer_attitude_01, observer_attitude_02, observer_attitude_10
+    del observer_attitude_11, observer_attitude_12
     value_covariance_out_8 = (
         observer_attitude_20 * value_covariance_half_6
         + observer_attitude_21 * value_covariance_half_7
         + observer_attitude_22 * value_covariance_half_8
     )
+    del observer_attitude_20, observer_attitude_21, observer_attitude_22, value_covariance_half_6
+    del value_covariance_half_7, value_covariance_half_8
     return (
         (value_out_x, value_out_y, value_out_z),
         (

@@ -333,6 +333,14 @@ def local() -> ir.Function:
     )
 
 
+def chain() -> ir.Function:
+    """Twenty steps, each of which reads the one before; two are results."""
+    steps = [ir.Statement("t0", add(x(0), x(1)))]
+    steps += [ir.Statement(f"t{n}", mul(ref(f"t{n - 1}"), x(2))) for n in range(1, 20)]
+    results = [((0,), ref("t18")), ((1,), ref("t19"))]
+    return function("chain", (X,), (output("value", (2,), results),), shared=steps)
+
+
 def module(*functions: ir.Function, name: str = "rover") -> ir.Module:
     """A module of the state's maps and some functions; all of them when none is given."""
     strict = ranges("strict", ir.Items.REJECT)

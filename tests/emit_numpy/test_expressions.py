@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import re
 
 import pytest
 
@@ -99,3 +100,23 @@ def test_constants_never_become_code() -> None:
     assert "two" not in body
     assert "root" not in body
     assert "1.4142135623730951 * a" in body
+
+
+def test_names_are_deleted_when_nothing_reads_them() -> None:
+    """Each once, after its last use; results, elements and what items read are kept."""
+    for function in modules.module(modules.chain()).functions:
+        lines = [line.strip() for line in kernel_of(function).body]
+        deleted = [
+            (name, place)
+            for place, line in enumerate(lines)
+            if line.startswith("del ")
+            for name in line.removeprefix("del ").split(", ")
+        ]
+        names = [name for name, _ in deleted]
+        assert len(names) == len(set(names))
+        for name, place in deleted:
+            word = re.compile(rf"\b{name}\b")
+            assert any(word.match(line) for line in lines[:place])
+            assert not any(word.search(line) for line in lines[place + 1 :])
+        if function.name == "chain":
+            assert names == [f"t{number}" for number in range(18)]

@@ -15,15 +15,20 @@ from symnav.emit.templates import render
 _STATIC = (
     "_arrays.py",
     "_batches.py",
+    "_blocks.py",
     "_calls.py",
     "_compiled.py",
     "_explain.py",
     "_extension.py",
     "_foreign.py",
+    "_kernels.py",
     "_lanes.py",
+    "_masked.py",
+    "_numbers.py",
     "_places.py",
     "_runtime.py",
     "_state.py",
+    "_tables.py",
 )
 
 

@@ -120,6 +120,13 @@ def assignment(target: str, expression: str, *, depth: int = 1, remark: str = ""
     return [*(f"{indent}# {text}" for text in above), *lines]
 
 
+def deletion(names: Sequence[str], *, depth: int = 1) -> list[str]:
+    """``del`` of names, on as many lines as they need."""
+    indent = _INDENT * depth
+    lines = _filled(", ".join(names), 0, WIDTH - len(indent) - len("del "))
+    return [f"{indent}del {line.rstrip(',')}" for line in lines]
+
+
 def wrapped(expression: str, depth: int, after: str = "") -> list[str]:
     """An expression inside brackets, broken before plus and minus, elsewhere only if it must."""
     room = WIDTH - len(_INDENT) * depth
@@ -138,11 +145,11 @@ def _glued(expression: str, symbols: str) -> str:
     return expression
 
 
-def _filled(text: str, depth: int) -> list[str]:
+def _filled(text: str, depth: int, width: int = WIDTH) -> list[str]:
     indent = _INDENT * depth
     return textwrap.wrap(
         text,
-        width=WIDTH,
+        width=width,
         initial_indent=indent,
         subsequent_indent=indent,
         break_long_words=False,
