@@ -34,8 +34,6 @@
 #define FARRELL_TIGHTLY_COUPLED_IVDEP _Pragma("clang loop vectorize(assume_safety)")
 #elif defined(__GNUC__)
 #define FARRELL_TIGHTLY_COUPLED_IVDEP _Pragma("GCC ivdep")
-#elif defined(_MSC_VER)
-#define FARRELL_TIGHTLY_COUPLED_IVDEP __pragma(loop(ivdep))
 #else
 #define FARRELL_TIGHTLY_COUPLED_IVDEP
 #endif

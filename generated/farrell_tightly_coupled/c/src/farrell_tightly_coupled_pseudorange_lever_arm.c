@@ -684,7 +684,7 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_lever_arm_d
         status = pseudorange_lever_arm_check_reference(n, reference);
         if (status == FARRELL_TIGHTLY_COUPLED_OK) {
             for (int32_t row = 0; row < (n - 1); ++row) {
-                const int32_t item = (row < reference) ? row : (row + 1);
+                const int32_t item = row + ((row < reference) ? 0 : 1);
 
                 for (int32_t k = 0; k < n; ++k) {
                     const farrell_tightly_coupled_real_t minus = (k == reference) ? -1.0 : 0.0;
@@ -721,7 +721,7 @@ farrell_tightly_coupled_status_t
         }
         if (status == FARRELL_TIGHTLY_COUPLED_OK) {
             for (int32_t row = 0; row < (n - 1); ++row) {
-                const int32_t item = (row < reference) ? row : (row + 1);
+                const int32_t item = row + ((row < reference) ? 0 : 1);
                 const farrell_tightly_coupled_real_t common = sigma[reference] * sigma[reference];
 
                 for (int32_t k = 0; k < (n - 1); ++k) {
