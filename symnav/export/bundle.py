@@ -8,11 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
+from symnav.export import proofs
 from symnav.export.records import Bundle
 
 Part = Callable[[Bundle], Mapping[str, str]]
 
-PARTS: tuple[Part, ...] = ()
+PARTS: tuple[Part, ...] = (proofs.files,)
 
 
 def assemble(bundle: Bundle) -> dict[str, str]:

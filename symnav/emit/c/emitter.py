@@ -98,7 +98,7 @@ def _kernel_header(module: ir.Module, kernel: Kernel) -> str:
 def _check_header(module: ir.Module, target: Target, kernels: Sequence[Kernel]) -> str:
     wanted = {"first_failure"}.union(*(kernel.helpers() for kernel in kernels))
     if any(kernel.function.single_difference and kernel.function.guarded for kernel in kernels):
-        wanted.add("is_outside")
+        wanted.add("take_value")
     for helper in reversed(tuple(_HELPERS)):
         if helper in wanted:
             wanted.update(_HELPERS[helper])
