@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from symnav.export import eva
+from symnav.export import eva, fuzzing
 from symnav.export.records import Bundle
 
 
 def files(bundle: Bundle) -> Mapping[str, str]:
     """The inputs of the proofs, below ``proof/``."""
-    return {**eva.files(bundle)}
+    return {**eva.files(bundle), **fuzzing.files(bundle)}
