@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from symnav.derive import Derivation
     from symnav.emit.manifest import CheckReport
     from symnav.export import Tree
+    from symnav.export.proving import Proven
     from symnav.spec.records import Spec
     from symnav.verify.sheet import Finding, ProofSheet
 
@@ -78,11 +79,13 @@ class Exported:
         folder: the bundle.
         written: relative paths of the files that were new or different.
         unchanged: True when the bundle was already current.
+        proven: what the proofs said, where they were asked for.
     """
 
     folder: Path
     written: tuple[str, ...]
     unchanged: bool
+    proven: Proven | None = None
 
 
 def shipped() -> list[tuple[str, str]]:
@@ -264,6 +267,7 @@ def export(
     *,
     scalar: str = "double",
     tolerance: float | None = None,
+    proofs: bool = False,
     force: bool = False,
     progress: Progress = _silent,
 ) -> Exported:
@@ -274,6 +278,7 @@ def export(
         folder: becomes the bundle.
         scalar: ``double`` or ``float``.
         tolerance: largest rounding error of a value that is accepted, in the value's unit.
+        proofs: run every proof whose tool is installed over what was written.
         force: write over changes made by hand.
         progress: told each stage.
 
@@ -299,7 +304,13 @@ def export(
     written = writing.write(
         folder, text, digest(spec), [tree.module.scalar.value for tree in trees]
     )
-    return Exported(folder, written, not written)
+    return Exported(folder, written, not written, _proven(folder, progress) if proofs else None)
+
+
+def _proven(folder: Path, progress: Progress) -> Proven:
+    from symnav.export.proving import prove
+
+    return prove(folder, progress=progress)
 
 
 def _trees(spec: Spec, derived: Derived, scalar: ir.Scalar) -> tuple[Tree, ...]:

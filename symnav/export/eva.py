@@ -131,9 +131,7 @@ class Driver:
         value = f"expect_written(out.{array.name}, {pitch}, {runs.stride}, {runs.items})"
         indent = "    " * depth
         yield f"{indent}for (int32_t k = 0; k < {runs.results}; ++k) {{"
-        yield from comments.code(
-            f"Frama_C_show_each_{array.name}(k, {value});", depth=depth + 1
-        )
+        yield from comments.code(f"Frama_C_show_each_{array.name}(k, {value});", depth=depth + 1)
         yield f"{indent}}}"
         if runs.items != "1":
             yield "        }"

@@ -55,7 +55,10 @@ class Harness:
             yield f"    const int32_t count = {inside};"
         if entry.referenced:
             yield f"    const int32_t reference = (int32_t)(next(in, 1) % {entry.maximum + 2}U);"
-        given = {a.name: argument for a, argument in zip(entry.inputs, self.function.arguments)}
+        given = {
+            a.name: argument
+            for a, argument in zip(entry.inputs, self.function.arguments, strict=False)
+        }
         for array in entry.inputs:
             argument = given.get(array.name) if array.name != "sigma" else None
             yield from self._input(array, argument)

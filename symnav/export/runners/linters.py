@@ -14,7 +14,9 @@ from symnav.export.runners import tools
 from symnav.export.runners.records import Record, Verdict
 
 BUDGET = "proof/misra.json"
-_FINDING = re.compile(r"^(?P<place>(?:src|include)/[^:]+:\d+): (?P<id>[\w.-]+): (?P<text>.*)$", re.M)
+_FINDING = re.compile(
+    r"^(?P<place>(?:src|include)/[^:]+:\d+): (?P<id>[\w.-]+): (?P<text>.*)$", re.M
+)
 _TIDY = re.compile(r"^(?P<place>.*?:\d+):\d+: (?P<kind>warning|error): (?P<text>.*)$", re.M)
 _MISRA = "misra-c2012-"
 
