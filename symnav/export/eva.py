@@ -249,7 +249,7 @@ def _options(tree: Tree, symbol: str) -> str:
     source = _defined(tree.files[f"src/{symbol}.c"])
     truths = [name for name, result in check.items() if result.endswith("bool")]
     statuses = [name for name, result in source.items() if result.endswith("_status_t")]
-    levels = {name: 20 for name in check}
+    levels = dict.fromkeys(check, 20)
     levels |= {name: 0 if "_load" in name else 100 for name in kernel}
     levels |= {name: 8 if name in statuses else 0 for name in source}
     split = ",".join(f"{name}:full" for name in (*truths, *statuses))

@@ -91,21 +91,26 @@ FARRELL_TIGHTLY_COUPLED_INLINE bool is_equal(
     return (first <= second) && (first >= second);
 }
 
-/* 1 when a value is not a number inside a closed range, else 0. */
-FARRELL_TIGHTLY_COUPLED_INLINE flag_t is_outside(
-    farrell_tightly_coupled_real_t value,
-    farrell_tightly_coupled_real_t lower,
-    farrell_tightly_coupled_real_t upper)
-{
-    return is_within(value, lower, upper) ? (flag_t)0U : (flag_t)1U;
-}
-
 /* 1 when a value is not a number inside [-bound, bound], else 0. */
 FARRELL_TIGHTLY_COUPLED_INLINE flag_t is_beyond(
     farrell_tightly_coupled_real_t value,
     farrell_tightly_coupled_real_t bound)
 {
     return is_centred(value, bound) ? (flag_t)0U : (flag_t)1U;
+}
+
+/* Copy a value into its range. Outside it, or for NaN, the lower end stands for it and 1 is
+   returned. */
+FARRELL_TIGHTLY_COUPLED_INLINE flag_t take_value(
+    farrell_tightly_coupled_real_t value,
+    farrell_tightly_coupled_real_t lower,
+    farrell_tightly_coupled_real_t upper,
+    farrell_tightly_coupled_real_t *copy)
+{
+    const farrell_tightly_coupled_real_t taken = is_within(value, lower, upper) ? value : lower;
+
+    *copy = taken;
+    return is_equal(taken, value) ? (flag_t)0U : (flag_t)1U;
 }
 
 /* Copy a value into [-bound, bound]. Outside it, or for NaN, zero stands for it and 1 is
