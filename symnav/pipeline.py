@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from symnav.derive import Derivation
     from symnav.emit.manifest import CheckReport
     from symnav.export import Bundle, Tree
+    from symnav.export.proving import Proven
     from symnav.spec.records import Spec
     from symnav.verify.sheet import Finding, ProofSheet
 
@@ -80,6 +81,7 @@ class Exported:
         unchanged: True when the bundle was already current.
         name: of the library.
         trees: prefix of its symbols and files, scalar type and functions of every tree of C.
+        proven: what the proofs said, where they were asked for.
     """
 
     folder: Path
@@ -87,6 +89,7 @@ class Exported:
     unchanged: bool
     name: str
     trees: tuple[tuple[str, str, tuple[str, ...]], ...]
+    proven: Proven | None = None
 
 
 def shipped() -> list[tuple[str, str]]:
@@ -269,6 +272,7 @@ def export(
     *,
     scalar: str = "double",
     tolerance: float | None = None,
+    proofs: bool = False,
     force: bool = False,
     progress: Progress = _silent,
 ) -> Exported:
@@ -279,6 +283,7 @@ def export(
         folder: becomes the bundle.
         scalar: ``double`` or ``float``.
         tolerance: largest rounding error of a value that is accepted, in the value's unit.
+        proofs: run every proof whose tool is installed over what was written.
         force: write over changes made by hand.
         progress: told each stage.
 
@@ -289,6 +294,7 @@ def export(
     """
     from symnav.emit import writing
     from symnav.export import assemble
+    from symnav.export.proving import prove
     from symnav.lower.module import digest
 
     if not force:
@@ -303,7 +309,8 @@ def export(
         (tree.prefix, tree.module.scalar.value, tuple(f.name for f in tree.module.functions))
         for tree in made.trees
     )
-    return Exported(folder, written, not written, made.name, contents)
+    proven = prove(folder, progress=progress) if proofs else None
+    return Exported(folder, written, not written, made.name, contents, proven)
 
 
 def bundle(

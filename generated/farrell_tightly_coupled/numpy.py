@@ -154,7 +154,7 @@ def _local_kernel(xp: Any, guards: _arrays.Guards, x: Any, y: Any) -> _arrays.No
     s0 = xp.less(drho_log_sine_squared, 0.01)
     drho_log_safe_squared = xp.where(s0, guards.constant(1.0), drho_log_sine_squared)
     drho_log_sine = xp.sqrt(drho_log_safe_squared)
-    drho_log_cosine = xp.where(s0, drho_log_w, 1.0)
+    drho_log_cosine = xp.where(xp.less(0.5, drho_log_w), drho_log_w, 1.0)
     drho_log_tangent_squared = drho_log_sine_squared / (drho_log_cosine * drho_log_cosine)
     drho_log_series = (
         1.0 + drho_log_tangent_squared * (drho_log_tangent_squared * (0.2

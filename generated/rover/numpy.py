@@ -188,7 +188,7 @@ def _local_kernel(xp: Any, guards: _arrays.Guards, x: Any, y: Any) -> _arrays.No
     s0 = xp.less(attitude_log_sine_squared, 0.01)
     attitude_log_safe_squared = xp.where(s0, guards.constant(1.0), attitude_log_sine_squared)
     attitude_log_sine = xp.sqrt(attitude_log_safe_squared)
-    attitude_log_cosine = xp.where(s0, attitude_log_w, 1.0)
+    attitude_log_cosine = xp.where(xp.less(0.5, attitude_log_w), attitude_log_w, 1.0)
     attitude_log_tangent_squared = (
         attitude_log_sine_squared / (attitude_log_cosine * attitude_log_cosine)
     )

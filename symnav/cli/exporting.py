@@ -4,10 +4,15 @@ from __future__ import annotations
 
 import shlex
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
-from symnav.cli.console import Verb, progress, write_json
+from symnav.cli.console import Verb, progress, show_table, write_json
+from symnav.errors import ProofError
+
+if TYPE_CHECKING:
+    from symnav.export.proving import Proven
 
 
 @click.command(
@@ -16,6 +21,7 @@ from symnav.cli.console import Verb, progress, write_json
 Examples:
   symnav export rover.toml --to flight/rover
   symnav export rover.toml --to flight/rover --scalar float --tolerance 0.01
+  symnav export rover.toml --to flight/rover --prove
 """,
 )
 @click.argument("spec")
@@ -42,15 +48,25 @@ Examples:
     help="Refuse when rounding can move a value of a measurement or correction by more than this, "
     "in the value's unit; Jacobians do not count.",
 )
+@click.option("--prove", is_flag=True, help="Run every proof whose tool is installed.")
 @click.option("--force", is_flag=True, help="Write over changes made by hand.")
+@click.pass_context
 def export(
-    spec: str, folder: Path, scalar: str, tolerance: float | None, force: bool, as_json: bool
+    ctx: click.Context,
+    spec: str,
+    folder: Path,
+    scalar: str,
+    tolerance: float | None,
+    prove: bool,
+    force: bool,
+    as_json: bool,
 ) -> None:
     """Write SPEC as a bundle of C for flight software.
 
     The bundle holds headers, sources, tests, build files, documents and proofs. Its kernels are
     byte for byte those the Python extension is compiled from. Nothing is written when the
-    specification has mistakes or a tolerance is exceeded.
+    specification has mistakes or a tolerance is exceeded. With --prove every proof whose tool is
+    installed is run and recorded in proof/; exits with 3 when one fails.
     """
     from symnav import pipeline
 
@@ -61,20 +77,46 @@ def export(
             folder,
             scalar=scalar,
             tolerance=tolerance,
+            proofs=prove,
             force=force,
             progress=reporter.stage,
         )
+    failed = done.proven is not None and not done.proven.passed
     follow = f"make -C {shlex.quote(str(done.folder))} check"
     if as_json:
         trees = [
             dict(zip(("prefix", "scalar", "functions"), tree, strict=True)) for tree in done.trees
         ]
         found = {"written": done.written, "unchanged": done.unchanged, "next": follow}
-        write_json({"bundle": done.folder, "name": done.name, "trees": trees, **found})
-        return
+        shown = {} if done.proven is None else done.proven.as_dict()
+        write_json({"bundle": done.folder, "name": done.name, "trees": trees, **found, **shown})
+        ctx.exit(ProofError.exit_code if failed else 0)
     what = "unchanged" if done.unchanged else f"{len(done.written)} files written"
     click.echo(f"{done.folder}: {what}")
     for prefix, kind, functions in done.trees:
         if functions:
             click.echo(f"  {prefix} ({kind}): {', '.join(functions)}")
+    if done.proven is not None:
+        _print(done.proven)
     click.echo(f"next: {follow}, then read {done.folder / 'README.md'}")
+    ctx.exit(ProofError.exit_code if failed else 0)
+
+
+def _print(proven: Proven) -> None:
+    """What every tool showed, what failed, and what did not run."""
+    from rich.table import Table
+
+    table = Table()
+    for heading in ("Tool", "Version", "Shown", "Verdict"):
+        table.add_column(heading)
+    table.add_column("Seconds", justify="right")
+    for record in proven.records:
+        verdict = record.verdict.value
+        seconds = f"{record.seconds:.1f}"
+        table.add_row(record.tool, record.version, record.shown, verdict, seconds)
+    show_table(table)
+    for record in proven.records:
+        for finding in record.findings:
+            click.echo(f"  {record.tool}: {finding}")
+    for record in proven.missing:
+        click.echo(f"Did not run: {record.tool}: {record.shown}.")

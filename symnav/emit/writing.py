@@ -27,12 +27,14 @@ def write(
 
     Returns:
         Paths of what was new, different or removed; nothing was touched where there are none.
+        Records of proofs go with what they were of, and are not among them.
     """
     complete = {**text, **manifest.emit(specification, scalars, text, options)}
     changed = [path for path, content in complete.items() if not _same(folder / path, content)]
     stale = [path for path in manifest.listed(folder) if path not in complete]
     if changed or stale:
-        _replace(folder, complete, stale)
+        # What was proven of the files before is not known of these.
+        _replace(folder, complete, [*stale, *manifest.results(folder)])
     return tuple(sorted([*changed, *stale]))
 
 

@@ -8,14 +8,23 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from symnav.export import building, documents, error_bounds, glue, provenance, targets, testing
+from symnav.export import (
+    building,
+    documents,
+    error_bounds,
+    glue,
+    proofs,
+    provenance,
+    targets,
+    testing,
+)  # fmt: skip
 from symnav.export.records import Bundle
 
 Part = Callable[[Bundle], Mapping[str, str]]
 
 PARTS: tuple[Part, ...] = (
     building.files, documents.files, glue.files, testing.files, targets.files, error_bounds.files,
-    provenance.files,
+    proofs.files, provenance.files,
 )  # fmt: skip
 
 

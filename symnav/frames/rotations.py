@@ -138,7 +138,9 @@ def logarithm(graph: Graph, name: str, q: Row) -> Row:
         f"{name}_safe_squared", [sp.Piecewise((sp.Integer(1), small), (t, True))]
     )
     (sine,) = graph.define(f"{name}_sine", [sp.sqrt(safe)])
-    (cosine,) = graph.define(f"{name}_cosine", [sp.Piecewise((w, small), (sp.Integer(1), True))])
+    # Where the series is read w is near 1; asking w itself shows that nothing divides by zero.
+    large = sp.Lt(sp.Rational(1, 2), w)
+    (cosine,) = graph.define(f"{name}_cosine", [sp.Piecewise((w, large), (sp.Integer(1), True))])
     (u,) = graph.define(f"{name}_tangent_squared", [t / (cosine * cosine)])
     (inner,) = graph.define(f"{name}_series", [horner(_near(series.arctangent), u)])
     near = 2 * inner / cosine

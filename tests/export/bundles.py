@@ -18,7 +18,8 @@ from symnav.export import Bundle
 
 MODELS = tuple(name for name, _ in pipeline.shipped())
 QUICK = (("reference_relative", "double"), ("rover", "float"))
-ALL = tuple((model, scalar) for model in MODELS for scalar in ("double", "float"))
+SCALARS = ("double", "float")
+ALL = tuple((model, scalar) for model in MODELS for scalar in SCALARS)
 
 _FOLDER = Path(tempfile.mkdtemp(prefix="bundles-"))
 atexit.register(shutil.rmtree, _FOLDER, ignore_errors=True)
@@ -69,3 +70,17 @@ def run(
     )
     assert done.returncode == 0, f"{words}\n{done.stdout}\n{done.stderr}"
     return done.stdout
+
+
+def copy_of(model: str, scalar: str, folder: Path) -> Path:
+    """A copy of the bundle of a shipped model that a test may change."""
+    target = folder / f"{model}_{scalar}"
+    shutil.copytree(bundle_of(model, scalar), target)
+    return target
+
+
+def replace_in(path: Path, old: str, new: str) -> None:
+    """Change a file; what is changed must be there."""
+    text = path.read_text()
+    assert old in text, f"{path.name} does not hold {old!r}"
+    path.write_text(text.replace(old, new))

@@ -145,6 +145,7 @@ def _source(mapped: Mapped, entries: Mapping[str, EntryPoint]) -> str:
         matrix_head=entries[f"{symbol}_difference_matrix"].prototype(target.status),
         covariance_head=entries[f"{symbol}_difference_covariance"].prototype(target.status),
         guarded=kernel.function.guarded,
+        deviation="deviation" if kernel.function.guarded else "sigma",
         zero=target.literal(0.0),
         one=target.literal(1.0),
         minus_one=target.literal(-1.0),

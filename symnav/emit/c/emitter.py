@@ -113,7 +113,7 @@ def _check_header(module: ir.Module, target: Target, kernels: Sequence[Kernel]) 
     wanted = {"first_failure"}.union(*(kernel.helpers() for kernel in kernels))
     wanted.update(*(Blocks(kernel).helpers() for kernel in kernels if not kernel.mapped))
     if any(kernel.function.single_difference and kernel.function.guarded for kernel in kernels):
-        wanted.add("is_outside")
+        wanted.add("take_value")
     for helper in reversed(tuple(_HELPERS)):
         if helper in wanted:
             wanted.update(_HELPERS[helper])

@@ -34,8 +34,6 @@
 #define EKF_CAL_GPS_IVDEP _Pragma("clang loop vectorize(assume_safety)")
 #elif defined(__GNUC__)
 #define EKF_CAL_GPS_IVDEP _Pragma("GCC ivdep")
-#elif defined(_MSC_VER)
-#define EKF_CAL_GPS_IVDEP __pragma(loop(ivdep))
 #else
 #define EKF_CAL_GPS_IVDEP
 #endif

@@ -229,19 +229,18 @@ EKF_CAL_GPS_INLINE flag_t local_kernel(const local_input_t *in, local_output_t *
     const ekf_cal_gps_real_t attitude_log_safe_squared = (attitude_log_sine_squared < 0.01) ? 1.0 :
         attitude_log_sine_squared;
     const ekf_cal_gps_real_t attitude_log_sine = sqrt(attitude_log_safe_squared);
-    const ekf_cal_gps_real_t attitude_log_cosine = (attitude_log_sine_squared < 0.01) ?
-        attitude_log_w : 1.0;
+    const ekf_cal_gps_real_t attitude_log_cosine = (0.5 < attitude_log_w) ? attitude_log_w : 1.0;
     const ekf_cal_gps_real_t attitude_log_tangent_squared = attitude_log_sine_squared /
         (attitude_log_cosine * attitude_log_cosine);
-    const ekf_cal_gps_real_t t97 = attitude_log_tangent_squared * ((attitude_log_tangent_squared *
+    const ekf_cal_gps_real_t t99 = attitude_log_tangent_squared * ((attitude_log_tangent_squared *
         (0.07692307692307693 + (attitude_log_tangent_squared *
         ((0.058823529411764705 * attitude_log_tangent_squared) - 0.06666666666666667)))) -
         0.09090909090909091);
-    const ekf_cal_gps_real_t t106 = (attitude_log_tangent_squared * (0.2 +
+    const ekf_cal_gps_real_t t108 = (attitude_log_tangent_squared * (0.2 +
         (attitude_log_tangent_squared *
-        ((attitude_log_tangent_squared * (0.1111111111111111 + t97)) - 0.14285714285714285)))) -
+        ((attitude_log_tangent_squared * (0.1111111111111111 + t99)) - 0.14285714285714285)))) -
         0.3333333333333333;
-    const ekf_cal_gps_real_t attitude_log_series = 1.0 + (attitude_log_tangent_squared * t106);
+    const ekf_cal_gps_real_t attitude_log_series = 1.0 + (attitude_log_tangent_squared * t108);
     const ekf_cal_gps_real_t attitude_log_far = (2.0 * atan2(attitude_log_sine, attitude_log_w)) /
         attitude_log_sine;
     const ekf_cal_gps_real_t attitude_log_scale = (attitude_log_sine_squared < 0.01) ?

@@ -34,8 +34,6 @@
 #define FARRELL_TIGHTLY_COUPLED_IVDEP _Pragma("clang loop vectorize(assume_safety)")
 #elif defined(__GNUC__)
 #define FARRELL_TIGHTLY_COUPLED_IVDEP _Pragma("GCC ivdep")
-#elif defined(_MSC_VER)
-#define FARRELL_TIGHTLY_COUPLED_IVDEP __pragma(loop(ivdep))
 #else
 #define FARRELL_TIGHTLY_COUPLED_IVDEP
 #endif
@@ -86,13 +84,18 @@ FARRELL_TIGHTLY_COUPLED_INLINE bool is_centred(
 #endif
 }
 
-/* 1 when a value is not a number inside a closed range, else 0. */
-FARRELL_TIGHTLY_COUPLED_INLINE flag_t is_outside(
+/* Copy a value into its range. Outside it, or for NaN, the lower end stands for it and 1 is
+   returned. */
+FARRELL_TIGHTLY_COUPLED_INLINE flag_t take_value(
     farrell_tightly_coupled_real_t value,
     farrell_tightly_coupled_real_t lower,
-    farrell_tightly_coupled_real_t upper)
+    farrell_tightly_coupled_real_t upper,
+    farrell_tightly_coupled_real_t *copy)
 {
-    return is_within(value, lower, upper) ? (flag_t)0U : (flag_t)1U;
+    const bool within = is_within(value, lower, upper);
+
+    *copy = within ? value : lower;
+    return within ? (flag_t)0U : (flag_t)1U;
 }
 
 /* Copy a value into [-bound, bound]. Outside it, or for NaN, zero stands for it and 1 is

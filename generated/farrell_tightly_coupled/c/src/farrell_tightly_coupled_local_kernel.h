@@ -199,19 +199,18 @@ FARRELL_TIGHTLY_COUPLED_INLINE flag_t local_kernel(const local_input_t *in, loca
     const farrell_tightly_coupled_real_t drho_log_safe_squared = (drho_log_sine_squared < 0.01) ?
         1.0 : drho_log_sine_squared;
     const farrell_tightly_coupled_real_t drho_log_sine = sqrt(drho_log_safe_squared);
-    const farrell_tightly_coupled_real_t drho_log_cosine = (drho_log_sine_squared < 0.01) ?
-        drho_log_w : 1.0;
+    const farrell_tightly_coupled_real_t drho_log_cosine = (0.5 < drho_log_w) ? drho_log_w : 1.0;
     const farrell_tightly_coupled_real_t drho_log_tangent_squared = drho_log_sine_squared /
         (drho_log_cosine * drho_log_cosine);
-    const farrell_tightly_coupled_real_t t94 = drho_log_tangent_squared *
+    const farrell_tightly_coupled_real_t t96 = drho_log_tangent_squared *
         ((drho_log_tangent_squared * (0.07692307692307693 + (drho_log_tangent_squared *
         ((0.058823529411764705 * drho_log_tangent_squared) - 0.06666666666666667)))) -
         0.09090909090909091);
-    const farrell_tightly_coupled_real_t t103 = (drho_log_tangent_squared * (0.2 +
+    const farrell_tightly_coupled_real_t t105 = (drho_log_tangent_squared * (0.2 +
         (drho_log_tangent_squared *
-        ((drho_log_tangent_squared * (0.1111111111111111 + t94)) - 0.14285714285714285)))) -
+        ((drho_log_tangent_squared * (0.1111111111111111 + t96)) - 0.14285714285714285)))) -
         0.3333333333333333;
-    const farrell_tightly_coupled_real_t drho_log_series = 1.0 + (drho_log_tangent_squared * t103);
+    const farrell_tightly_coupled_real_t drho_log_series = 1.0 + (drho_log_tangent_squared * t105);
     const farrell_tightly_coupled_real_t drho_log_far = (2.0 * atan2(drho_log_sine, drho_log_w)) /
         drho_log_sine;
     const farrell_tightly_coupled_real_t drho_log_scale = (drho_log_sine_squared < 0.01) ?

@@ -760,7 +760,7 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_lever_arm_d
         status = pseudorange_lever_arm_check_reference(n, reference);
         if (status == FARRELL_TIGHTLY_COUPLED_OK) {
             for (int32_t row = 0; row < (n - 1); ++row) {
-                const int32_t item = (row < reference) ? row : (row + 1);
+                const int32_t item = row + ((row < reference) ? 0 : 1);
 
                 for (int32_t k = 0; k < n; ++k) {
                     const farrell_tightly_coupled_real_t minus = (k == reference) ? -1.0 : 0.0;
@@ -786,23 +786,27 @@ farrell_tightly_coupled_status_t
     farrell_tightly_coupled_status_t status = FARRELL_TIGHTLY_COUPLED_NULL;
 
     if ((sigma != NULL) && (covariance != NULL)) {
+        farrell_tightly_coupled_real_t
+            deviation[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS];
+
         status = pseudorange_lever_arm_check_reference(n, reference);
         if (status == FARRELL_TIGHTLY_COUPLED_OK) {
             flag_t outside = 0U;
 
             for (int32_t i = 0; i < n; ++i) {
-                outside |= is_outside(sigma[i], 0.0, 1.0e+150);
+                outside |= take_value(sigma[i], 0.0, 1.0e+150, &deviation[i]);
             }
             status = (outside != 0U) ? FARRELL_TIGHTLY_COUPLED_RANGE : FARRELL_TIGHTLY_COUPLED_OK;
         }
         if (status == FARRELL_TIGHTLY_COUPLED_OK) {
             for (int32_t row = 0; row < (n - 1); ++row) {
-                const int32_t item = (row < reference) ? row : (row + 1);
-                const farrell_tightly_coupled_real_t common = sigma[reference] * sigma[reference];
+                const int32_t item = row + ((row < reference) ? 0 : 1);
+                const farrell_tightly_coupled_real_t common = deviation[reference] *
+                    deviation[reference];
 
                 for (int32_t k = 0; k < (n - 1); ++k) {
                     const farrell_tightly_coupled_real_t own = (k == row) ?
-                        (sigma[item] * sigma[item]) : 0.0;
+                        (deviation[item] * deviation[item]) : 0.0;
 
                     covariance[(row * (n - 1)) + k] = common + own;
                 }

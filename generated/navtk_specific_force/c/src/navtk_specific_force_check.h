@@ -34,8 +34,6 @@
 #define NAVTK_SPECIFIC_FORCE_IVDEP _Pragma("clang loop vectorize(assume_safety)")
 #elif defined(__GNUC__)
 #define NAVTK_SPECIFIC_FORCE_IVDEP _Pragma("GCC ivdep")
-#elif defined(_MSC_VER)
-#define NAVTK_SPECIFIC_FORCE_IVDEP __pragma(loop(ivdep))
 #else
 #define NAVTK_SPECIFIC_FORCE_IVDEP
 #endif

@@ -186,20 +186,20 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t local_kernel(const local_input_t *in, local_o
     const navtk_specific_force_real_t attitude_log_safe_squared =
         (attitude_log_sine_squared < 0.01) ? 1.0 : attitude_log_sine_squared;
     const navtk_specific_force_real_t attitude_log_sine = sqrt(attitude_log_safe_squared);
-    const navtk_specific_force_real_t attitude_log_cosine = (attitude_log_sine_squared < 0.01) ?
+    const navtk_specific_force_real_t attitude_log_cosine = (0.5 < attitude_log_w) ?
         attitude_log_w : 1.0;
     const navtk_specific_force_real_t attitude_log_tangent_squared = attitude_log_sine_squared /
         (attitude_log_cosine * attitude_log_cosine);
-    const navtk_specific_force_real_t t88 = attitude_log_tangent_squared *
+    const navtk_specific_force_real_t t90 = attitude_log_tangent_squared *
         ((attitude_log_tangent_squared * (0.07692307692307693 + (attitude_log_tangent_squared *
         ((0.058823529411764705 * attitude_log_tangent_squared) - 0.06666666666666667)))) -
         0.09090909090909091);
-    const navtk_specific_force_real_t t97 = (attitude_log_tangent_squared * (0.2 +
+    const navtk_specific_force_real_t t99 = (attitude_log_tangent_squared * (0.2 +
         (attitude_log_tangent_squared *
-        ((attitude_log_tangent_squared * (0.1111111111111111 + t88)) - 0.14285714285714285)))) -
+        ((attitude_log_tangent_squared * (0.1111111111111111 + t90)) - 0.14285714285714285)))) -
         0.3333333333333333;
     const navtk_specific_force_real_t attitude_log_series = 1.0 +
-        (attitude_log_tangent_squared * t97);
+        (attitude_log_tangent_squared * t99);
     const navtk_specific_force_real_t attitude_log_far =
         (2.0 * atan2(attitude_log_sine, attitude_log_w)) / attitude_log_sine;
     const navtk_specific_force_real_t attitude_log_scale = (attitude_log_sine_squared < 0.01) ?

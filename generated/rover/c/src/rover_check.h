@@ -34,8 +34,6 @@
 #define ROVER_IVDEP _Pragma("clang loop vectorize(assume_safety)")
 #elif defined(__GNUC__)
 #define ROVER_IVDEP _Pragma("GCC ivdep")
-#elif defined(_MSC_VER)
-#define ROVER_IVDEP __pragma(loop(ivdep))
 #else
 #define ROVER_IVDEP
 #endif

@@ -237,18 +237,17 @@ ROVER_INLINE flag_t local_kernel(const local_input_t *in, local_output_t *out)
     const rover_real_t attitude_log_safe_squared = (attitude_log_sine_squared < 0.01) ? 1.0 :
         attitude_log_sine_squared;
     const rover_real_t attitude_log_sine = sqrt(attitude_log_safe_squared);
-    const rover_real_t attitude_log_cosine = (attitude_log_sine_squared < 0.01) ? attitude_log_w :
-        1.0;
+    const rover_real_t attitude_log_cosine = (0.5 < attitude_log_w) ? attitude_log_w : 1.0;
     const rover_real_t attitude_log_tangent_squared = attitude_log_sine_squared /
         (attitude_log_cosine * attitude_log_cosine);
-    const rover_real_t t88 = attitude_log_tangent_squared * ((attitude_log_tangent_squared *
+    const rover_real_t t90 = attitude_log_tangent_squared * ((attitude_log_tangent_squared *
         (0.07692307692307693 + (attitude_log_tangent_squared *
         ((0.058823529411764705 * attitude_log_tangent_squared) - 0.06666666666666667)))) -
         0.09090909090909091);
-    const rover_real_t t97 = (attitude_log_tangent_squared * (0.2 + (attitude_log_tangent_squared *
-        ((attitude_log_tangent_squared * (0.1111111111111111 + t88)) - 0.14285714285714285)))) -
+    const rover_real_t t99 = (attitude_log_tangent_squared * (0.2 + (attitude_log_tangent_squared *
+        ((attitude_log_tangent_squared * (0.1111111111111111 + t90)) - 0.14285714285714285)))) -
         0.3333333333333333;
-    const rover_real_t attitude_log_series = 1.0 + (attitude_log_tangent_squared * t97);
+    const rover_real_t attitude_log_series = 1.0 + (attitude_log_tangent_squared * t99);
     const rover_real_t attitude_log_far = (2.0 * atan2(attitude_log_sine, attitude_log_w)) /
         attitude_log_sine;
     const rover_real_t attitude_log_scale = (attitude_log_sine_squared < 0.01) ?

@@ -34,8 +34,6 @@
 #define SINGLE_POINT_IVDEP _Pragma("clang loop vectorize(assume_safety)")
 #elif defined(__GNUC__)
 #define SINGLE_POINT_IVDEP _Pragma("GCC ivdep")
-#elif defined(_MSC_VER)
-#define SINGLE_POINT_IVDEP __pragma(loop(ivdep))
 #else
 #define SINGLE_POINT_IVDEP
 #endif

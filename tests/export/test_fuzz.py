@@ -1,0 +1,42 @@
+"""The fuzz harness: it builds, it finds nothing, and it finds what is broken."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from symnav.export.runners import Verdict
+from symnav.export.runners.fuzz import Fuzz
+from tests.export.bundles import MODELS, copy_of, replace_in
+
+pytestmark = pytest.mark.slow
+
+
+@pytest.fixture(autouse=True)
+def needs_fuzzer() -> None:
+    """There is a clang with libFuzzer."""
+    reason = Fuzz().missing()
+    if reason:
+        pytest.skip(reason)
+
+
+@pytest.mark.parametrize("model", MODELS)
+def test_nothing_is_found(model: str, tmp_path: Path) -> None:
+    record = Fuzz(runs=5000, seconds=20).run(copy_of(model, "float", tmp_path))
+    assert record.verdict is Verdict.PASSED, record.findings
+    assert int(record.shown.split()[0]) > 0
+
+
+@pytest.mark.parametrize(
+    ("path", "old", "new"),
+    [
+        ("src/rover_check.h", "fabs(value) <= bound", "!(fabs(value) > bound)"),
+        ("src/rover_range.c", "i < count; ++i", "i <= count; ++i"),
+    ],
+)
+def test_what_is_broken_is_found(path: str, old: str, new: str, tmp_path: Path) -> None:
+    folder = copy_of("rover", "double", tmp_path)
+    replace_in(folder / path, old, new)
+    record = Fuzz(runs=300_000, seconds=60).run(folder)
+    assert record.verdict is Verdict.FAILED and record.findings
