@@ -113,9 +113,10 @@ def test_a_warning_fails_the_check(model: str, scalar: str, bundle: Path) -> Non
 @pytest.mark.parametrize(("model", "scalar"), cases(ONE, ()))
 def test_a_failed_test_program_fails_the_check(model: str, scalar: str, bundle: Path) -> None:
     (bundle / "test").mkdir(exist_ok=True)
-    for code in (0, 1):
-        program = f"int main(void);\nint main(void)\n{{\n    return {code};\n}}\n"
-        (bundle / "test/test_mine.c").write_text(program)
+    for code in (0, 1):  # whatever the program after it says
+        for name, result in (("test_0", code), ("test_z", 0)):
+            program = f"int main(void);\nint main(void)\n{{\n    return {result};\n}}\n"
+            (bundle / f"test/{name}.c").write_text(program)
         words = ["make", "-s", "check"]
         done = subprocess.run(words, cwd=bundle, capture_output=True, text=True, check=False)
         assert (done.returncode != 0) == bool(code)
