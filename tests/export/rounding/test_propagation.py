@@ -166,6 +166,18 @@ def test_quotient_by_something_near_zero_has_no_bound() -> None:
     assert propagation.apply(Op.DIV, [near, near], FLOAT).error == INFINITY
 
 
+def test_an_angle_seen_along_a_tangent() -> None:
+    """A point one away from the origin moves by 0.95 and turns by asin(0.95), which is more."""
+    reach, turn = math.sqrt(1.0 - 0.95**2), math.asin(0.95)
+    y, x = reach * math.sin(turn), reach * math.cos(turn)
+    numbers = [
+        Number(Interval(exact, exact), Interval(value, value), abs(value - exact), INFINITY)
+        for exact, value in ((0.0, y), (1.0, x))
+    ]
+    seen = propagation.angle(numbers[0], numbers[1], 1.0, FLOAT)
+    assert turn <= seen.turned < 1.2 * turn
+
+
 def test_whole_turns_do_not_matter_to_a_sine() -> None:
     angle = propagation.angle(
         Number(Interval(-1e-3, 1e-3), Interval(-1e-3, 1e-3), 1e-5, 1e-5),
