@@ -13,7 +13,7 @@ from symnav import ir, pipeline
 from symnav.export.rounding.bounds import bounds
 from symnav.export.rounding.sampling import samples
 from symnav.export.rounding.search import WIDER, can_judge, values
-from tests.export.rounding.compiled import FLAGS, Compiled, compile_sources, shared_by_items
+from tests.export.rounding.compiled import FLAGS, ITEMS, Compiled, compile_sources, shared_by_items
 from tests.export.rounding.kernels import DOUBLE, FLOAT
 from tests.export.rounding.test_models import MODELS, functions
 
@@ -39,6 +39,7 @@ def check(model: str, scalar: ir.Scalar, count: int, folder: Path, flags: tuple[
     library = compile_sources(folder, prefix, flags)
     rng = np.random.default_rng(7)
     good = 0
+    count = -(-count // ITEMS) * ITEMS  # every batch a whole number of calls
     for function in functions(model, scalar):
         compiled = Compiled(library, prefix, function, scalar)
         limits = bounds(function, scalar)

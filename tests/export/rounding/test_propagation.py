@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -55,7 +56,7 @@ def operand(rng: np.random.Generator, low: float, high: float) -> tuple[Number, 
     ends = np.array([max(low, centre - width), min(high, centre + width)], dtype=np.float32)
     real = Interval(float(ends[0]), float(ends[1]))
     error = 0.0 if rng.random() < 0.2 else 10.0 ** rng.uniform(-9.0, -1.0) * (high - low) * 0.02
-    whole = Number(real, real.widened(error), error, error)
+    whole = Number(real, real.widened(error), error, error).settled()
     exact = rng.choice([real.lo, real.hi, rng.uniform(real.lo, real.hi)])
     computed = float(np.float32(exact + error * rng.choice([-0.999, 0.999, rng.uniform(-1, 1)])))
     if abs(computed - exact) > error:
@@ -79,6 +80,8 @@ def agrees(
     assert error <= result.error + slack, (operation, pairs)
     assert result.real.lo - slack <= exact <= result.real.hi + slack, (operation, pairs)
     assert result.computed.lo - slack <= computed <= result.computed.hi + slack, (operation, pairs)
+    if result.relative < INFINITY:
+        assert error <= result.relative * abs(exact) * (1.0 + 1e-9) + slack, (operation, pairs)
     whole_turns = round((computed - exact) / (2.0 * math.pi)) * 2.0 * math.pi
     assert abs(computed - exact - whole_turns) <= result.turned + slack, (operation, pairs)
     return error / result.error if 0.0 < result.error < INFINITY else 0.0
@@ -116,6 +119,25 @@ def test_a_square_is_not_negative_and_twice_as_sensitive() -> None:
     assert squared.error == pytest.approx(0.1 * (2.0 + 2.1), rel=1e-4)
 
 
+@pytest.mark.parametrize("operation", [Op.MUL, Op.DIV, Op.SQRT, Op.ADD], ids=lambda o: o.value)
+def test_relative_errors_are_handed_on(operation: Op) -> None:
+    """Over a range of ten decades, where absolute errors say nothing about small values."""
+    rng = np.random.default_rng(3)
+    wide, share = Interval(1e-5, 1e5), 1e-4
+    number = Number(wide, Interval(0.9998e-5, 1.0002e5), 10.1, 10.1, share)
+    count = 1 if operation is Op.SQRT else 2
+    result = propagation.apply(operation, [replace(number) for _ in range(count)], FLOAT)
+    used = 0.0
+    for _ in range(2000):
+        exact = 10.0 ** rng.uniform(-5.0, 5.0, count)
+        computed = exact * (1.0 + share * rng.choice([-1.0, 1.0], count))
+        function = np.sqrt if operation is Op.SQRT else BINARY[operation]
+        moved = abs(float(np.float32(function(*computed))) / float(function(*exact)) - 1.0)
+        assert moved <= result.relative
+        used = max(used, moved / result.relative)
+    assert used > 0.95
+
+
 def test_a_power_of_two_costs_nothing() -> None:
     two = propagation.literal(2.0, FLOAT)
     one = Number(Interval(1.0, 3.0), Interval(1.0, 3.0), 0.0, 0.0)
@@ -142,6 +164,18 @@ def test_overflow_has_no_bound() -> None:
 def test_quotient_by_something_near_zero_has_no_bound() -> None:
     near = Number(Interval(-1.0, 1.0), Interval(-1.0, 1.0), 0.0, 0.0)
     assert propagation.apply(Op.DIV, [near, near], FLOAT).error == INFINITY
+
+
+def test_an_angle_seen_along_a_tangent() -> None:
+    """A point one away from the origin moves by 0.95 and turns by asin(0.95), which is more."""
+    reach, turn = math.sqrt(1.0 - 0.95**2), math.asin(0.95)
+    y, x = reach * math.sin(turn), reach * math.cos(turn)
+    numbers = [
+        Number(Interval(exact, exact), Interval(value, value), abs(value - exact), INFINITY)
+        for exact, value in ((0.0, y), (1.0, x))
+    ]
+    seen = propagation.angle(numbers[0], numbers[1], 1.0, FLOAT)
+    assert turn <= seen.turned < 1.2 * turn
 
 
 def test_whole_turns_do_not_matter_to_a_sine() -> None:
