@@ -207,6 +207,12 @@ def test_views_and_owners_are_told_apart(package: ModuleType, rng: np.random.Gen
         form(given["x"], lever_arm=own[0], out=own)
     with pytest.raises(ValueError, match="an output shares memory with lever_arm"):
         form(given["x"], lever_arm=own[0][:], out=own)
+    maps = native.retract
+    state, written = np.array(given["x"]), np.zeros(given["x"].shape)
+    error = np.zeros(modules.module().state.error_size)
+    assert maps(state, d=error, out=[written]).value is written
+    with pytest.raises(ValueError, match="an output shares memory with x"):
+        maps(written[:], d=error, out=[written])
     flat = np.zeros(60)
     flat[:3] = given["lever_arm"]
     with pytest.raises(ValueError, match="an output shares memory with lever_arm"):
