@@ -58,7 +58,8 @@ class Golden:
         scalar: its type.
         items: rows of each sample; 1 where the function is not mapped.
         inputs: (samples, size) by argument, (samples * items, size) where per item.
-        status: (samples, items): of the item, of the call where the function is not mapped.
+        shared: (samples,): status of the call as far as it does not depend on items.
+        status: (samples, items): of the item; zero where the function is not mapped.
         outputs: structural non-zeros by output name: (samples * items, count).
         slack: as ``outputs``: how far each may be off; None where no library function is called.
     """
@@ -67,6 +68,7 @@ class Golden:
     scalar: ir.Scalar
     items: int
     inputs: Rows
+    shared: NDArray[np.int64]
     status: NDArray[np.int64]
     outputs: Mapping[str, NDArray[Any]]
     slack: Mapping[str, NDArray[Any]] | None
@@ -74,7 +76,7 @@ class Golden:
     @property
     def samples(self) -> int:
         """Number of samples."""
-        return len(self.status)
+        return len(self.shared)
 
 
 def golden(spec: Spec, derivation: Derivation, function: ir.Function, scalar: ir.Scalar) -> Golden:
@@ -119,14 +121,14 @@ def golden(spec: Spec, derivation: Derivation, function: ir.Function, scalar: ir
 
 def _recorded(function: ir.Function, scalar: ir.Scalar, items: int, rows: Rows) -> Golden:
     outcome = evaluate(function, scalar, rows)
-    status = np.where(outcome.status != 0, outcome.status, outcome.item).reshape(-1, items)
+    shared, status = outcome.status[::items], outcome.item.reshape(-1, items)
     inputs = {
         argument.name: rows[argument.name] if argument.item else rows[argument.name][::items]
         for argument in function.arguments
     }
     called = {operation for step in expressions(function) for operation in _operations(step)}
     allowed = slack(function, scalar, outcome) if called & rounded.LIBRARY else None
-    return Golden(function, scalar, items, inputs, status, outcome.outputs, allowed)
+    return Golden(function, scalar, items, inputs, shared, status, outcome.outputs, allowed)
 
 
 def _typed(function: ir.Function, scalar: ir.Scalar, drawn: Samples) -> dict[str, NDArray[Any]]:

@@ -179,8 +179,11 @@ class _Function:
             "pair": [self._entry(entry, kind) for entry in pair],
             "adapters": [self._adapter(entry) for entry in entries],
             "numbers": numbers,
+            "shared": self.tables.bytes(
+                f"{function.name}_shared", golden_of.shared, "Status of samples."
+            ),
             "status": self.tables.bytes(
-                f"{function.name}_status", golden_of.status.ravel(), "Status of samples and items."
+                f"{function.name}_status", golden_of.status.ravel(), "Status of items."
             ),
             "largest": hexadecimal(LARGEST[self.tables.scalar], self.tables.scalar),
             "macros": [(c.name, c.value) for c in self.section.constants],

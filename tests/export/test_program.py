@@ -11,6 +11,7 @@ import pytest
 from symnav import pipeline
 from symnav.errors import ProofError
 from symnav.export import coverage
+from symnav.spec import from_table
 from tests.export.conftest import Exported
 from tests.export.hosts import HOSTS, Host
 
@@ -215,3 +216,35 @@ def test_is_c_alone(bundle: Exported) -> None:
     everything = "".join(path.read_text() for path in (folder / "test").iterdir())
     for word in ("malloc", "fopen", "argv", "time("):
         assert word not in everything
+
+
+def test_passes_where_a_guard_is_shared_by_all_items(tmp_path: Path) -> None:
+    """A quaternion that is normalised here may be anything but zero."""
+    spec = from_table(
+        {
+            "name": "shared",
+            "frame": [{"name": "e", "axes": "ecef"}, {"name": "b", "axes": "free"}],
+            "state": [
+                {"name": "place", "kind": "vector", "size": 3, "unit": "m", "frame": "e"},
+                {"name": "posture", "kind": "rotation", "maps": "b -> e", "normalise": True},
+            ],
+            "measurement": [
+                {
+                    "name": "ranges",
+                    "model": "pseudorange",
+                    "position": "place",
+                    "attitude": "posture",
+                    "lever_arm": [0.3, -0.2, 1.1],
+                    "satellite_position": "input",
+                    "sagnac": "none",
+                    "items": "skip",
+                    "maximum": 20,
+                }
+            ],
+        },
+        "shared",
+    )
+    pipeline.export(spec, tmp_path / "bundle")
+    golden = (tmp_path / "bundle" / "test" / "shared_golden.h").read_text()
+    assert re.search(r"ranges_shared\[\d+\] = \{\n    (0U, )+3U", golden)
+    passes(PLAIN, tmp_path / "bundle", tmp_path)
