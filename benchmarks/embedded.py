@@ -35,6 +35,7 @@ HERE = Path(__file__).parent
 SUPPORT = directory() / "export" / FOLDER
 MODELS = tuple(problem.name for problem in PROBLEMS if problem.name != "filter")
 Floats = NDArray[np.float32]
+Truth = tuple[list[float], list[float]]
 RECORDS = 8
 TOLERANCE = 2e-6
 """Of the largest result; single precision has 6e-8."""
@@ -91,13 +92,14 @@ def measure(problem: Problem, target: Target, folder: Path) -> dict[str, Figures
     """
     given = records(problem)[:RECORDS].astype(np.float32)
     workshop = Workshop(target, folder / "programs")
+    truths = [expected(problem, record.tolist()) for record in given]
     taking_part = list(contestants(problem, folder))
     _, empty = workshop.made(problem, _idle(taking_part[0]), given)
     found = {}
     for contestant in taking_part:
         item, program = workshop.made(problem, contestant, given)
         printed = target.emulated(program).splitlines()
-        compare(contestant, given, printed)
+        compare(contestant, truths, printed)
         ticks, calls = (int(printed[-1].split()[k]) for k in (1, 3))
         kept = ARM.kept(item, contestant.candidate.measured)
         found[contestant.name] = Figures(
@@ -117,13 +119,12 @@ def contestants(problem: Problem, folder: Path) -> Iterator[Contestant]:
     yield from map(single.mended, hand_code.contestants(problem, folder))
 
 
-def compare(contestant: Contestant, given: Floats, printed: Sequence[str]) -> None:
+def compare(contestant: Contestant, truths: Sequence[Truth], printed: Sequence[str]) -> None:
     """Results of every record against 50 digits for the same rounded inputs."""
     results = [line for line in printed if line.startswith("out ")]
-    for record, line in zip(given, results, strict=True):
+    for (truth, scale), line in zip(truths, results, strict=True):
         words = np.array([int(word, 16) for word in line.split()[1:]], np.uint32)
         found = words.view(np.float32)[list(contestant.order)].astype(float)
-        truth, scale = expected(contestant.problem, record.tolist())
         worst = np.max(np.abs(found - truth) / scale)
         if not worst < TOLERANCE:
             raise SystemExit(f"{contestant.problem.name} {contestant.name}: differs by {worst:.1e}")

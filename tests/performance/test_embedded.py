@@ -92,9 +92,12 @@ def test_wrong_results_are_refused() -> None:
     problem = PROBLEMS[0]
     given = records(problem)[:1].astype(np.float32)
     (contestant,) = hand_code.contestants(problem, Path())
-    truth, _ = expected(problem, given[0].tolist())
+    truth, scale = expected(problem, given[0].tolist())
     words = np.array(truth, np.float32).view(np.uint32)
-    embedded.compare(contestant, given, [" ".join(["out", *(f"{w:x}" for w in words)])])
+    embedded.compare(contestant, [(truth, scale)], [" ".join(["out", *(f"{w:x}" for w in words)])])
     words[4] ^= 64
+    wrong = " ".join(["out", *(f"{w:x}" for w in words)])
     with pytest.raises(SystemExit, match="gps hand: differs by"):
-        embedded.compare(contestant, given, [" ".join(["out", *(f"{w:x}" for w in words)])])
+        embedded.compare(contestant, [(truth, scale)], [wrong])
+    with pytest.raises(ValueError):
+        embedded.compare(contestant, [(truth, scale)], [])
