@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable
 from typing import Any
 
@@ -214,3 +215,16 @@ def _contains(expression: ir.Expression, operation: ir.Operation) -> bool:
     return expression.operation is operation or any(
         _contains(operand, operation) for operand in expression.operands
     )
+
+
+def test_vectors_are_summed_alike_and_products_of_short_sums_first() -> None:
+    """Neighbouring elements differ in their names alone, so that they may be computed together."""
+    names = sp.symbols("d_0:12")
+    table = {name: ca.SX.sym(name.name) for name in names}
+    x, y = (sum(names[i] for i in range(k, 12, 3)) for k in (0, 1))
+    shifted = str(to_casadi(y, table))
+    for i in range(0, 12, 3):
+        shifted = re.sub(rf"\bd_{i + 1}\b", f"d_{i}", shifted)
+    assert shifted == str(to_casadi(x, table))
+    a, b, c, d, e, *_ = names
+    assert str(to_casadi(a * b - c - d * e, table)) == "(((d_0*d_1)-(d_3*d_4))-d_2)"

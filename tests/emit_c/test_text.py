@@ -167,6 +167,21 @@ def test_no_memory_but_the_stack() -> None:
     assert all(variable.startswith("static const int32_t") for variable in variables)
 
 
+def test_unguarded_kernels_read_inputs_where_they_need_them() -> None:
+    """Only what a slot chooses from is copied; every other element is read once, by no item."""
+    files = c.emit(modules.module(*modules.all_functions()))
+    for name in ("gps_bare", "bare"):
+        text = files[f"c/src/rover_{name}_kernel.h"]
+        start = text.index(f"{name}_load(")
+        loader = text[start : text.index("return", start)]
+        assert "in->x = x;" in loader
+        copies = re.findall(r"in->(\S+) = \w+\[\d+\];", loader)
+        assert all("_by_slot[" in copy for copy in copies)
+        reads = re.findall(r"= in->\w+\[\d+\];", text)
+        assert len(reads) == len(set(reads)) > 0
+    assert not re.search(r"in->x\[", text[text.index("bare_item(") :])
+
+
 def test_structural_zeros_are_written_once() -> None:
     """Every element of a dense row is stored exactly once."""
     text = c.emit(modules.module(modules.antenna()))["c/src/rover_gps.c"]

@@ -241,6 +241,24 @@ class TestInline:
         function = small(step, value=add(step.target, 1.0))
         assert inline(function).shared == (step,), reason
 
+    def test_what_is_a_result_is_written_where_the_result_is(self) -> None:
+        """Its place says what it is, however long it is and whatever it is called."""
+        step = statement("momentum", add(*(a(k % 3) for k in range(20))))
+        function = small(step, value=ir.Ref("momentum"))
+        changed = inline(function, longest=8)
+        assert changed.shared == ()
+        assert changed.outputs[0].entries[0].value == step.value
+
+    def test_a_result_with_a_comment_or_another_reader_keeps_its_line(self) -> None:
+        """The comment would be lost, the arithmetic done twice."""
+        told = statement("momentum", mul(a(0), a(1)), "of the rotor")
+        assert inline(small(told, value=ir.Ref("momentum"))).shared == (told,)
+        again = (statement("momentum", mul(a(0), a(1))), statement("half", mul("momentum", 0.5)))
+        base = small(*again, value=ir.Ref("momentum"))
+        second = building.output("second", (), [((), add("half", a(2)))])
+        function = replace(base, outputs=(*base.outputs, second))
+        assert inline(function).shared == again
+
     def test_what_is_read_twice_keeps_its_line(self) -> None:
         """Folding it would compute it twice."""
         function = small(statement("t1", mul(a(0), a(1))), value=mul("t1", "t1"))

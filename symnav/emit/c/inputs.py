@@ -23,7 +23,6 @@ from symnav.emit.c.names import Names
 from symnav.emit.c.pieces import Field, Routine, Struct, head
 from symnav.emit.c.slots import Span
 from symnav.emit.c.target import Target
-from symnav.emit.c.walk import Holder, loads_of
 
 INPUT_POINTER = "in"
 ITEM_POINTER = "item"
@@ -68,9 +67,9 @@ class Inputs:
         place = f"[{element.index - element.span.start}]" if element.span else ""
         return f"{base}{'->' if pointers else '.'}{element.field}{place}"
 
-    def readings(self, holder: Holder, seen: set[ir.Load]) -> list[str]:
-        """Statements that read what a step or an entry is the first to need; ``seen`` grows."""
-        new = (loads_of([holder]) & self.pointed) - seen
+    def readings(self, loads: Iterable[ir.Load], seen: set[ir.Load]) -> list[str]:
+        """Statements that read, of some loads, those not read before; ``seen`` grows."""
+        new = (self.pointed & set(loads)) - seen
         seen |= new
         return [
             line

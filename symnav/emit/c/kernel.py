@@ -85,6 +85,7 @@ class Kernel:
     def shared_struct(self) -> Struct:
         """What the items read of the part evaluated once per call."""
         fields = [Field(self.target.real, self._names[name]) for name in self._exported]
+        fields += [Field(self.target.real, self.inputs.place(load)) for load in self._carried]
         fields += [self._array(output) for output in self.common]
         return Struct(
             f"{self.local}_shared_t",
@@ -107,12 +108,13 @@ class Kernel:
     def main_reads_input(self) -> bool:
         """True when the part evaluated once per call reads any input."""
         entries = self._entries(self.common if self.mapped else self.results)
-        return bool(loads_of([*self.function.shared, *entries]))
+        return bool(self._carried or loads_of([*self.function.shared, *entries]))
 
     @cached_property
     def item_reads_input(self) -> bool:
         """True when the item part reads inputs that are not per item."""
-        return any(not self.inputs.is_per_item(load) for load in self._item_loads)
+        kept = self._item_loads - set(self._carried)
+        return any(not self.inputs.is_per_item(load) for load in kept)
 
     @cached_property
     def item_reads_item(self) -> bool:
@@ -128,7 +130,7 @@ class Kernel:
     @property
     def item_reads_shared(self) -> bool:
         """True when the item part reads results of the shared part."""
-        return self.mapped and bool(self._exported)
+        return self.mapped and bool(self._exported or self._carried)
 
     @property
     def shared_fails(self) -> bool:
@@ -182,6 +184,16 @@ class Kernel:
         return loads_of(holders) if self.mapped else set()
 
     @cached_property
+    def _carried(self) -> tuple[ir.Load, ...]:
+        """Inputs of the call, read where the caller keeps them, that the items read.
+
+        A loop reads them from the shared part: a compiler does not turn a choice into arithmetic
+        where it would read the caller's memory on one side only.
+        """
+        read = self._item_loads & self.inputs.pointed
+        return tuple(load for load in self.inputs.table if load in read)
+
+    @cached_property
     def _exported(self) -> tuple[str, ...]:
         """Targets of the shared part that the item part reads."""
         wanted = references_of([*self.function.item, *self._entries(self.results)])
@@ -223,6 +235,8 @@ class Kernel:
 
         def load(element: ir.Load) -> Text:
             place = self.inputs.place(element)
+            if item and element in self._carried:
+                return Text(f"{SHARED_POINTER}->{place}")
             if self.inputs.is_integer(element):
                 return Text(f"({self.target.real}){place}", Level.SIGN)
             return Text(place)
@@ -251,10 +265,12 @@ class Kernel:
             declarations.append(f"{self.shared_struct.name} *{SHARED_POINTER}")
         scope = self._scope(item=False)
         exported = [self._names[name] for name in self._exported]
+        exported += [self.inputs.place(load) for load in self._carried]
         exports = [f"    {SHARED_POINTER}->{local} = {local};" for local in exported]
         seen: set[ir.Load] = set()
         body = [
             *self._steps(self.function.shared, scope, seen),
+            *self.inputs.readings(self._carried, seen),
             *([""] if exports and self.function.shared else []),
             *exports,
             *self._assignments(self.common, SHARED_POINTER, scope, seen),
@@ -274,7 +290,7 @@ class Kernel:
             declarations.append(f"const {self.inputs.struct(item=True).name} *{ITEM_POINTER}")
         declarations.append(f"{self.output_struct.name} *{OUTPUT_POINTER}")
         scope = self._scope(item=True)
-        seen: set[ir.Load] = set()
+        seen = set(self._carried)
         body = [
             *self._steps(self.function.item, scope, seen),
             *self._assignments(self.results, OUTPUT_POINTER, scope, seen),
@@ -296,7 +312,7 @@ class Kernel:
 
     def _steps(self, steps: Sequence[ir.Step], scope: Scope, seen: set[ir.Load]) -> Iterator[str]:
         for step in steps:
-            yield from self.inputs.readings(step, seen)
+            yield from self.inputs.readings(loads_of([step]), seen)
             if isinstance(step, ir.Check):
                 yield from self._guard(step, scope)
             else:
@@ -331,7 +347,7 @@ class Kernel:
         for output in outputs:
             yield ""
             for position, entry in enumerate(output.entries):
-                yield from self.inputs.readings(entry, seen)
+                yield from self.inputs.readings(loads_of([entry]), seen)
                 text = format_expression(entry.value, scope)
                 yield from comments.code(
                     f"{pointer}->{output.name}[{position}] = {text};",
