@@ -381,8 +381,8 @@ class Mapped:
             ),
             **self._evaluation("i"),
             "stores": self.statements((self._column_store(s, limit) for s in stores), 2),
-            "call": comments.code(call(name, passed) + ";", depth=5),
-            "common": self.statements(self._common_columns(), 5),
+            "call": comments.code(call(name, passed) + ";", depth=4),
+            "common": self.statements(self._common_columns(), 4),
             "clears": [line for s in stores for line in self._column_clear(s, limit)],
         }
 
@@ -398,9 +398,9 @@ class Mapped:
 
     def _column_clear(self, store: Store, limit: str) -> list[str]:
         if not is_jacobian(store.output):
-            return self.statements([call(store.clear, [self.row(store, "i")]) + ";"], 7)
+            return self.statements([call(store.clear, [self.row(store, "i")]) + ";"], 6)
         zero = self.kernel.target.literal(0.0)
-        indent = "    " * 7
+        indent = "    " * 6
         return [
             f"{indent}for (int32_t k = 0; k < {store.count}; ++k) {{",
             f"{indent}    {store.output.name}_nz[(k * {limit}) + i] = {zero};",

@@ -17,7 +17,7 @@ typedef struct {
     ekf_cal_gps_real_t value[3 * EKF_CAL_GPS_GPS_LANES];
     ekf_cal_gps_real_t residual[3 * EKF_CAL_GPS_GPS_LANES];
     ekf_cal_gps_real_t jacobian[21 * EKF_CAL_GPS_GPS_LANES];
-    flag_t status[EKF_CAL_GPS_GPS_LANES];
+    ekf_cal_gps_flag_t status[EKF_CAL_GPS_GPS_LANES];
 } gps_block_t;
 
 /* Store the non-zeros of value, a stride apart. */
@@ -270,8 +270,9 @@ static EKF_CAL_GPS_WIDE void gps_lanes(
     for (int32_t lane = 0; lane < count; ++lane) {
         gps_input_t in;
         gps_output_t out;
-        const flag_t loaded = gps_load(&x[lane * x_step], &measured[lane * measured_step], &in);
-        const flag_t evaluated = gps_kernel(&in, &out);
+        const ekf_cal_gps_flag_t loaded =
+            gps_load(&x[lane * x_step], &measured[lane * measured_step], &in);
+        const ekf_cal_gps_flag_t evaluated = gps_kernel(&in, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         gps_put_value(&out, EKF_CAL_GPS_GPS_LANES, &block->value[lane]);
@@ -309,7 +310,7 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_batch(
                 const ptrdiff_t epoch = first + lane;
 
                 status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)EKF_CAL_GPS_OK) {
+                if (block.status[lane] == (ekf_cal_gps_flag_t)EKF_CAL_GPS_OK) {
                     gps_fill_value(&block.value[lane], EKF_CAL_GPS_GPS_LANES, &value[3 * epoch]);
                     gps_fill_residual(&block.residual[lane], EKF_CAL_GPS_GPS_LANES,
                         &residual[3 * epoch]);

@@ -17,7 +17,7 @@ typedef struct {
     ekf_cal_gps_real_t value[3 * EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES];
     ekf_cal_gps_real_t residual[3 * EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES];
     ekf_cal_gps_real_t jacobian[12 * EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES];
-    flag_t status[EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES];
+    ekf_cal_gps_flag_t status[EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES];
 } gps_known_antenna_block_t;
 
 /* Store the non-zeros of value, a stride apart. */
@@ -246,9 +246,9 @@ static EKF_CAL_GPS_WIDE void gps_known_antenna_lanes(
     for (int32_t lane = 0; lane < count; ++lane) {
         gps_known_antenna_input_t in;
         gps_known_antenna_output_t out;
-        const flag_t loaded = gps_known_antenna_load(&x[lane * x_step],
+        const ekf_cal_gps_flag_t loaded = gps_known_antenna_load(&x[lane * x_step],
             &lever_arm[lane * lever_arm_step], &measured[lane * measured_step], &in);
-        const flag_t evaluated = gps_known_antenna_kernel(&in, &out);
+        const ekf_cal_gps_flag_t evaluated = gps_known_antenna_kernel(&in, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         gps_known_antenna_put_value(&out, EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES, &block->value[lane]);
@@ -292,7 +292,7 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_batch(
                 const ptrdiff_t epoch = first + lane;
 
                 status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)EKF_CAL_GPS_OK) {
+                if (block.status[lane] == (ekf_cal_gps_flag_t)EKF_CAL_GPS_OK) {
                     gps_known_antenna_fill_value(&block.value[lane],
                         EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES, &value[3 * epoch]);
                     gps_known_antenna_fill_residual(&block.residual[lane],

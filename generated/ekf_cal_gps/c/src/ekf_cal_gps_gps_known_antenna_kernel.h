@@ -37,14 +37,14 @@ typedef struct {
 } gps_known_antenna_output_t;
 
 /* Check and copy the inputs of one call. */
-EKF_CAL_GPS_INLINE flag_t gps_known_antenna_load(
+EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t gps_known_antenna_load(
     const ekf_cal_gps_real_t x[],
     const ekf_cal_gps_real_t lever_arm[],
     const ekf_cal_gps_real_t measured[],
     gps_known_antenna_input_t *in)
 {
-    flag_t outside = 0U;
-    flag_t skewed = 0U;
+    ekf_cal_gps_flag_t outside = 0U;
+    ekf_cal_gps_flag_t skewed = 0U;
 
     /* position [m, in l] */
     outside |= take_centred(x[0], 1000000.0, &in->position_x);
@@ -69,12 +69,13 @@ EKF_CAL_GPS_INLINE flag_t gps_known_antenna_load(
     outside |= take_centred(measured[1], 1000000000.0, &in->measured_y);
     outside |= take_centred(measured[2], 1000000000.0, &in->measured_z);
 
-    return (outside != 0U) ? (flag_t)EKF_CAL_GPS_RANGE :
-        ((skewed != 0U) ? (flag_t)EKF_CAL_GPS_QNORM : (flag_t)EKF_CAL_GPS_OK);
+    return (outside != 0U) ? (ekf_cal_gps_flag_t)EKF_CAL_GPS_RANGE :
+        ((skewed != 0U) ? (ekf_cal_gps_flag_t)EKF_CAL_GPS_QNORM :
+            (ekf_cal_gps_flag_t)EKF_CAL_GPS_OK);
 }
 
 /* Position of a GNSS antenna: values and structural non-zeros. */
-EKF_CAL_GPS_INLINE flag_t gps_known_antenna_kernel(
+EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t gps_known_antenna_kernel(
     const gps_known_antenna_input_t *in,
     gps_known_antenna_output_t *out)
 {
@@ -149,7 +150,7 @@ EKF_CAL_GPS_INLINE flag_t gps_known_antenna_kernel(
     out->jacobian[10] = attitude_arm_by_attitude_z_y;  /* value z, attitude y */
     out->jacobian[11] = attitude_arm_by_attitude_z_z;  /* value z, attitude z */
 
-    return (flag_t)EKF_CAL_GPS_OK;
+    return (ekf_cal_gps_flag_t)EKF_CAL_GPS_OK;
 }
 
 #endif /* EKF_CAL_GPS_GPS_KNOWN_ANTENNA_KERNEL_H */

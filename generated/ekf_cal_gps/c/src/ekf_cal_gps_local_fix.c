@@ -17,7 +17,7 @@ typedef struct {
     ekf_cal_gps_real_t value[3 * EKF_CAL_GPS_LOCAL_FIX_LANES];
     ekf_cal_gps_real_t jacobian_fix[9 * EKF_CAL_GPS_LOCAL_FIX_LANES];
     ekf_cal_gps_real_t value_covariance[9 * EKF_CAL_GPS_LOCAL_FIX_LANES];
-    flag_t status[EKF_CAL_GPS_LOCAL_FIX_LANES];
+    ekf_cal_gps_flag_t status[EKF_CAL_GPS_LOCAL_FIX_LANES];
 } local_fix_block_t;
 
 /* Store the non-zeros of value, a stride apart. */
@@ -233,9 +233,10 @@ static EKF_CAL_GPS_WIDE void local_fix_lanes(
     for (int32_t lane = 0; lane < count; ++lane) {
         local_fix_input_t in;
         local_fix_output_t out;
-        const flag_t loaded = local_fix_load(&heading[lane * heading_step], &fix[lane * fix_step],
+        const ekf_cal_gps_flag_t loaded =
+            local_fix_load(&heading[lane * heading_step], &fix[lane * fix_step],
             &reference_2[lane * reference_2_step], &covariance_2[lane * covariance_2_step], &in);
-        const flag_t evaluated = local_fix_kernel(&in, &out);
+        const ekf_cal_gps_flag_t evaluated = local_fix_kernel(&in, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         local_fix_put_value(&out, EKF_CAL_GPS_LOCAL_FIX_LANES, &block->value[lane]);
@@ -282,7 +283,7 @@ ekf_cal_gps_status_t ekf_cal_gps_local_fix_batch(
                 const ptrdiff_t epoch = first + lane;
 
                 status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)EKF_CAL_GPS_OK) {
+                if (block.status[lane] == (ekf_cal_gps_flag_t)EKF_CAL_GPS_OK) {
                     local_fix_fill_value(&block.value[lane], EKF_CAL_GPS_LOCAL_FIX_LANES,
                         &value[3 * epoch]);
                     local_fix_fill_jacobian_fix(&block.jacobian_fix[lane],

@@ -18,7 +18,7 @@ typedef struct {
     ekf_cal_online_real_t residual[3 * EKF_CAL_ONLINE_GPS_1_LANES];
     ekf_cal_online_real_t jacobian[25 * EKF_CAL_ONLINE_GPS_1_LANES];
     ekf_cal_online_real_t jacobian_origin[3 * EKF_CAL_ONLINE_GPS_1_LANES];
-    flag_t status[EKF_CAL_ONLINE_GPS_1_LANES];
+    ekf_cal_online_flag_t status[EKF_CAL_ONLINE_GPS_1_LANES];
 } gps_1_block_t;
 
 /* Store the non-zeros of value, a stride apart. */
@@ -333,9 +333,10 @@ static EKF_CAL_ONLINE_WIDE void gps_1_lanes(
     for (int32_t lane = 0; lane < count; ++lane) {
         gps_1_input_t in;
         gps_1_output_t out;
-        const flag_t loaded = gps_1_load(&x[lane * x_step], &origin[lane * origin_step],
+        const ekf_cal_online_flag_t loaded =
+            gps_1_load(&x[lane * x_step], &origin[lane * origin_step],
             &measured[lane * measured_step], &in);
-        const flag_t evaluated = gps_1_kernel(&in, &out);
+        const ekf_cal_online_flag_t evaluated = gps_1_kernel(&in, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         gps_1_put_value(&out, EKF_CAL_ONLINE_GPS_1_LANES, &block->value[lane]);
@@ -378,7 +379,7 @@ ekf_cal_online_status_t ekf_cal_online_gps_1_batch(
                 const ptrdiff_t epoch = first + lane;
 
                 status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)EKF_CAL_ONLINE_OK) {
+                if (block.status[lane] == (ekf_cal_online_flag_t)EKF_CAL_ONLINE_OK) {
                     gps_1_fill_value(&block.value[lane], EKF_CAL_ONLINE_GPS_1_LANES,
                         &value[3 * epoch]);
                     gps_1_fill_residual(&block.residual[lane], EKF_CAL_ONLINE_GPS_1_LANES,

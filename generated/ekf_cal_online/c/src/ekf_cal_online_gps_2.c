@@ -18,7 +18,7 @@ typedef struct {
     ekf_cal_online_real_t residual[3 * EKF_CAL_ONLINE_GPS_2_LANES];
     ekf_cal_online_real_t jacobian[25 * EKF_CAL_ONLINE_GPS_2_LANES];
     ekf_cal_online_real_t jacobian_origin[3 * EKF_CAL_ONLINE_GPS_2_LANES];
-    flag_t status[EKF_CAL_ONLINE_GPS_2_LANES];
+    ekf_cal_online_flag_t status[EKF_CAL_ONLINE_GPS_2_LANES];
 } gps_2_block_t;
 
 /* Store the non-zeros of value, a stride apart. */
@@ -326,9 +326,10 @@ static EKF_CAL_ONLINE_WIDE void gps_2_lanes(
     for (int32_t lane = 0; lane < count; ++lane) {
         gps_2_input_t in;
         gps_2_output_t out;
-        const flag_t loaded = gps_2_load(&x[lane * x_step], &origin[lane * origin_step],
+        const ekf_cal_online_flag_t loaded =
+            gps_2_load(&x[lane * x_step], &origin[lane * origin_step],
             &measured[lane * measured_step], &in);
-        const flag_t evaluated = gps_2_kernel(&in, &out);
+        const ekf_cal_online_flag_t evaluated = gps_2_kernel(&in, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         gps_2_put_value(&out, EKF_CAL_ONLINE_GPS_2_LANES, &block->value[lane]);
@@ -371,7 +372,7 @@ ekf_cal_online_status_t ekf_cal_online_gps_2_batch(
                 const ptrdiff_t epoch = first + lane;
 
                 status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)EKF_CAL_ONLINE_OK) {
+                if (block.status[lane] == (ekf_cal_online_flag_t)EKF_CAL_ONLINE_OK) {
                     gps_2_fill_value(&block.value[lane], EKF_CAL_ONLINE_GPS_2_LANES,
                         &value[3 * epoch]);
                     gps_2_fill_residual(&block.residual[lane], EKF_CAL_ONLINE_GPS_2_LANES,

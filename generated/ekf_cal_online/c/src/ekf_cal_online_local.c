@@ -15,7 +15,7 @@
 /** Non-zeros of a block of epochs, each stored contiguously across the epochs. */
 typedef struct {
     ekf_cal_online_real_t value[25 * EKF_CAL_ONLINE_LOCAL_LANES];
-    flag_t status[EKF_CAL_ONLINE_LOCAL_LANES];
+    ekf_cal_online_flag_t status[EKF_CAL_ONLINE_LOCAL_LANES];
 } local_block_t;
 
 /* Store the non-zeros of value, a stride apart. */
@@ -117,8 +117,8 @@ static EKF_CAL_ONLINE_WIDE void local_lanes(
     for (int32_t lane = 0; lane < count; ++lane) {
         local_input_t in;
         local_output_t out;
-        const flag_t loaded = local_load(&x[lane * x_step], &y[lane * y_step], &in);
-        const flag_t evaluated = local_kernel(&in, &out);
+        const ekf_cal_online_flag_t loaded = local_load(&x[lane * x_step], &y[lane * y_step], &in);
+        const ekf_cal_online_flag_t evaluated = local_kernel(&in, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         local_put_value(&out, EKF_CAL_ONLINE_LOCAL_LANES, &block->value[lane]);
@@ -151,7 +151,7 @@ ekf_cal_online_status_t ekf_cal_online_local_batch(
                 const ptrdiff_t epoch = first + lane;
 
                 status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)EKF_CAL_ONLINE_OK) {
+                if (block.status[lane] == (ekf_cal_online_flag_t)EKF_CAL_ONLINE_OK) {
                     local_fill_value(&block.value[lane], EKF_CAL_ONLINE_LOCAL_LANES,
                         &value[25 * epoch]);
                 } else {

@@ -15,7 +15,7 @@
 /** Non-zeros of a block of epochs, each stored contiguously across the epochs. */
 typedef struct {
     ekf_cal_online_real_t value[26 * EKF_CAL_ONLINE_RETRACT_LANES];
-    flag_t status[EKF_CAL_ONLINE_RETRACT_LANES];
+    ekf_cal_online_flag_t status[EKF_CAL_ONLINE_RETRACT_LANES];
 } retract_block_t;
 
 /* Store the non-zeros of value, a stride apart. */
@@ -119,8 +119,9 @@ static EKF_CAL_ONLINE_WIDE void retract_lanes(
     for (int32_t lane = 0; lane < count; ++lane) {
         retract_input_t in;
         retract_output_t out;
-        const flag_t loaded = retract_load(&x[lane * x_step], &d[lane * d_step], &in);
-        const flag_t evaluated = retract_kernel(&in, &out);
+        const ekf_cal_online_flag_t loaded =
+            retract_load(&x[lane * x_step], &d[lane * d_step], &in);
+        const ekf_cal_online_flag_t evaluated = retract_kernel(&in, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         retract_put_value(&out, EKF_CAL_ONLINE_RETRACT_LANES, &block->value[lane]);
@@ -154,7 +155,7 @@ ekf_cal_online_status_t ekf_cal_online_retract_batch(
                 const ptrdiff_t epoch = first + lane;
 
                 status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)EKF_CAL_ONLINE_OK) {
+                if (block.status[lane] == (ekf_cal_online_flag_t)EKF_CAL_ONLINE_OK) {
                     retract_fill_value(&block.value[lane], EKF_CAL_ONLINE_RETRACT_LANES,
                         &value[26 * epoch]);
                 } else {

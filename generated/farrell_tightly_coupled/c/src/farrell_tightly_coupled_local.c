@@ -15,7 +15,7 @@
 /** Non-zeros of a block of epochs, each stored contiguously across the epochs. */
 typedef struct {
     farrell_tightly_coupled_real_t value[17 * FARRELL_TIGHTLY_COUPLED_LOCAL_LANES];
-    flag_t status[FARRELL_TIGHTLY_COUPLED_LOCAL_LANES];
+    farrell_tightly_coupled_flag_t status[FARRELL_TIGHTLY_COUPLED_LOCAL_LANES];
 } local_block_t;
 
 /* Store the non-zeros of value, a stride apart. */
@@ -102,8 +102,9 @@ static FARRELL_TIGHTLY_COUPLED_WIDE void local_lanes(
     for (int32_t lane = 0; lane < count; ++lane) {
         local_input_t in;
         local_output_t out;
-        const flag_t loaded = local_load(&x[lane * x_step], &y[lane * y_step], &in);
-        const flag_t evaluated = local_kernel(&in, &out);
+        const farrell_tightly_coupled_flag_t loaded =
+            local_load(&x[lane * x_step], &y[lane * y_step], &in);
+        const farrell_tightly_coupled_flag_t evaluated = local_kernel(&in, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         local_put_value(&out, FARRELL_TIGHTLY_COUPLED_LOCAL_LANES, &block->value[lane]);
@@ -136,7 +137,8 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_local_batch(
                 const ptrdiff_t epoch = first + lane;
 
                 status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+                if (block.status[lane] ==
+                    (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
                     local_fill_value(&block.value[lane], FARRELL_TIGHTLY_COUPLED_LOCAL_LANES,
                         &value[17 * epoch]);
                 } else {

@@ -17,7 +17,7 @@ typedef struct {
     farrell_tightly_coupled_real_t value[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LANES];
     farrell_tightly_coupled_real_t residual[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LANES];
     farrell_tightly_coupled_real_t jacobian[4 * FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LANES];
-    flag_t status[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LANES];
+    farrell_tightly_coupled_flag_t status[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LANES];
 } pseudorange_block_t;
 
 /* Store the non-zeros of value, a stride apart. */
@@ -114,9 +114,9 @@ static FARRELL_TIGHTLY_COUPLED_WIDE void pseudorange_lanes(
     for (int32_t lane = 0; lane < count; ++lane) {
         pseudorange_item_t item;
         pseudorange_output_t out;
-        const flag_t loaded =
+        const farrell_tightly_coupled_flag_t loaded =
             pseudorange_load_item(&satellite_position[3 * lane], &measured[lane], &item);
-        const flag_t evaluated = pseudorange_item(in, shared, &item, &out);
+        const farrell_tightly_coupled_flag_t evaluated = pseudorange_item(in, shared, &item, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         pseudorange_put_value(&out, &block->value[lane]);
@@ -139,9 +139,9 @@ static FARRELL_TIGHTLY_COUPLED_WIDE void pseudorange_lanes_value(
     for (int32_t lane = 0; lane < count; ++lane) {
         pseudorange_item_t item;
         pseudorange_output_t out;
-        const flag_t loaded =
+        const farrell_tightly_coupled_flag_t loaded =
             pseudorange_load_item(&satellite_position[3 * lane], &measured[lane], &item);
-        const flag_t evaluated = pseudorange_item(in, shared, &item, &out);
+        const farrell_tightly_coupled_flag_t evaluated = pseudorange_item(in, shared, &item, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         pseudorange_put_value(&out, &block->value[lane]);
@@ -162,9 +162,9 @@ static FARRELL_TIGHTLY_COUPLED_WIDE void pseudorange_lanes_jacobian(
     for (int32_t lane = 0; lane < count; ++lane) {
         pseudorange_item_t item;
         pseudorange_output_t out;
-        const flag_t loaded =
+        const farrell_tightly_coupled_flag_t loaded =
             pseudorange_load_item(&satellite_position[3 * lane], &measured[lane], &item);
-        const flag_t evaluated = pseudorange_item(in, shared, &item, &out);
+        const farrell_tightly_coupled_flag_t evaluated = pseudorange_item(in, shared, &item, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         pseudorange_put_jacobian(&out, FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LANES,
@@ -214,7 +214,8 @@ static farrell_tightly_coupled_status_t pseudorange_rows(
                 const int32_t i = first + lane;
 
                 item_status[i] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+                if (block.status[lane] ==
+                    (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
                     pseudorange_fill_value(&block.value[lane], &value[i]);
                     pseudorange_fill_residual(&block.residual[lane], &residual[i]);
                     pseudorange_fill_jacobian(&block.jacobian[lane],
@@ -271,7 +272,8 @@ static farrell_tightly_coupled_status_t pseudorange_rows_value(
                 const int32_t i = first + lane;
 
                 item_status[i] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+                if (block.status[lane] ==
+                    (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
                     pseudorange_fill_value(&block.value[lane], &value[i]);
                     pseudorange_fill_residual(&block.residual[lane], &residual[i]);
                 } else {
@@ -323,7 +325,8 @@ static farrell_tightly_coupled_status_t pseudorange_rows_jacobian(
                 const int32_t i = first + lane;
 
                 item_status[i] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+                if (block.status[lane] ==
+                    (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
                     pseudorange_fill_jacobian(&block.jacobian[lane],
                         FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LANES, &jacobian[17 * i]);
                 } else {
@@ -440,15 +443,15 @@ FARRELL_TIGHTLY_COUPLED_INLINE void pseudorange_columns(
         FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS],
     farrell_tightly_coupled_real_t jacobian_nz[FARRELL_TIGHTLY_COUPLED_RESTRICT 4 *
         FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS],
-    flag_t codes[FARRELL_TIGHTLY_COUPLED_RESTRICT])
+    farrell_tightly_coupled_flag_t codes[FARRELL_TIGHTLY_COUPLED_RESTRICT])
 {
     FARRELL_TIGHTLY_COUPLED_IVDEP
     for (int32_t i = 0; i < count; ++i) {
         pseudorange_item_t item;
         pseudorange_output_t out;
-        const flag_t loaded =
+        const farrell_tightly_coupled_flag_t loaded =
             pseudorange_load_item(&satellite_position[3 * i], &measured[i], &item);
-        const flag_t evaluated = pseudorange_item(in, shared, &item, &out);
+        const farrell_tightly_coupled_flag_t evaluated = pseudorange_item(in, shared, &item, &out);
 
         codes[i] = first_failure(loaded, evaluated);
         pseudorange_fill_value(out.value, &value[i]);
@@ -491,22 +494,22 @@ FARRELL_TIGHTLY_COUPLED_WIDE farrell_tightly_coupled_status_t
             status = (farrell_tightly_coupled_status_t)pseudorange_load(x, c_n_e, origin, &in);
             if (status == FARRELL_TIGHTLY_COUPLED_OK) {
                 status = (farrell_tightly_coupled_status_t)pseudorange_shared(&in, &shared);
-                if (status == FARRELL_TIGHTLY_COUPLED_OK) {
-                    flag_t codes[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS];
+            }
+            if (status == FARRELL_TIGHTLY_COUPLED_OK) {
+                farrell_tightly_coupled_flag_t codes[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS];
 
-                    pseudorange_columns(&in, &shared, n, satellite_position, measured, value,
-                        residual, jacobian_nz, codes);
-                    for (int32_t i = 0; i < n; ++i) {
-                        item_status[i] = (uint8_t)codes[i];
-                        if (codes[i] != (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
-                            pseudorange_clear_value(&value[i]);
-                            pseudorange_clear_residual(&residual[i]);
-                            for (int32_t k = 0; k < 4; ++k) {
-                                jacobian_nz[(k * FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS) +
-                                    i] = 0.0;
-                            }
-                            status = FARRELL_TIGHTLY_COUPLED_PARTIAL;
+                pseudorange_columns(&in, &shared, n, satellite_position, measured, value, residual,
+                    jacobian_nz, codes);
+                for (int32_t i = 0; i < n; ++i) {
+                    item_status[i] = (uint8_t)codes[i];
+                    if (codes[i] != (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+                        pseudorange_clear_value(&value[i]);
+                        pseudorange_clear_residual(&residual[i]);
+                        for (int32_t k = 0; k < 4; ++k) {
+                            jacobian_nz[(k * FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS) + i] =
+                                0.0;
                         }
+                        status = FARRELL_TIGHTLY_COUPLED_PARTIAL;
                     }
                 }
             }
@@ -647,7 +650,8 @@ static farrell_tightly_coupled_status_t pseudorange_differences(
                     const int32_t row = (i < reference) ? i : (i - 1);
 
                     item_status[i] = (uint8_t)block.status[lane];
-                    if (block.status[lane] == (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+                    if (block.status[lane] ==
+                        (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
                         pseudorange_difference_value(&block.value[lane], base.value, &value[row]);
                         pseudorange_difference_residual(&block.residual[lane], base.residual,
                             &residual[row]);
@@ -757,7 +761,7 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_difference_
 
         status = pseudorange_check_reference(n, reference);
         if (status == FARRELL_TIGHTLY_COUPLED_OK) {
-            flag_t outside = 0U;
+            farrell_tightly_coupled_flag_t outside = 0U;
 
             for (int32_t i = 0; i < n; ++i) {
                 outside |= take_value(sigma[i], 0.0, 1.0e+150, &deviation[i]);

@@ -17,7 +17,7 @@ typedef struct {
     farrell_tightly_coupled_real_t value[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_LANES];
     farrell_tightly_coupled_real_t
         jacobian[7 * FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_LANES];
-    flag_t status[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_LANES];
+    farrell_tightly_coupled_flag_t status[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_LANES];
 } pseudorange_lever_arm_block_t;
 
 /* Store the non-zeros of value, a stride apart. */
@@ -104,8 +104,10 @@ static FARRELL_TIGHTLY_COUPLED_WIDE void pseudorange_lever_arm_lanes(
     for (int32_t lane = 0; lane < count; ++lane) {
         pseudorange_lever_arm_item_t item;
         pseudorange_lever_arm_output_t out;
-        const flag_t loaded = pseudorange_lever_arm_load_item(&satellite_position[3 * lane], &item);
-        const flag_t evaluated = pseudorange_lever_arm_item(in, shared, &item, &out);
+        const farrell_tightly_coupled_flag_t loaded =
+            pseudorange_lever_arm_load_item(&satellite_position[3 * lane], &item);
+        const farrell_tightly_coupled_flag_t evaluated =
+            pseudorange_lever_arm_item(in, shared, &item, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         pseudorange_lever_arm_put_value(&out, &block->value[lane]);
@@ -126,8 +128,10 @@ static FARRELL_TIGHTLY_COUPLED_WIDE void pseudorange_lever_arm_lanes_value(
     for (int32_t lane = 0; lane < count; ++lane) {
         pseudorange_lever_arm_item_t item;
         pseudorange_lever_arm_output_t out;
-        const flag_t loaded = pseudorange_lever_arm_load_item(&satellite_position[3 * lane], &item);
-        const flag_t evaluated = pseudorange_lever_arm_item(in, shared, &item, &out);
+        const farrell_tightly_coupled_flag_t loaded =
+            pseudorange_lever_arm_load_item(&satellite_position[3 * lane], &item);
+        const farrell_tightly_coupled_flag_t evaluated =
+            pseudorange_lever_arm_item(in, shared, &item, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         pseudorange_lever_arm_put_value(&out, &block->value[lane]);
@@ -146,8 +150,10 @@ static FARRELL_TIGHTLY_COUPLED_WIDE void pseudorange_lever_arm_lanes_jacobian(
     for (int32_t lane = 0; lane < count; ++lane) {
         pseudorange_lever_arm_item_t item;
         pseudorange_lever_arm_output_t out;
-        const flag_t loaded = pseudorange_lever_arm_load_item(&satellite_position[3 * lane], &item);
-        const flag_t evaluated = pseudorange_lever_arm_item(in, shared, &item, &out);
+        const farrell_tightly_coupled_flag_t loaded =
+            pseudorange_lever_arm_load_item(&satellite_position[3 * lane], &item);
+        const farrell_tightly_coupled_flag_t evaluated =
+            pseudorange_lever_arm_item(in, shared, &item, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         pseudorange_lever_arm_put_jacobian(&out,
@@ -195,7 +201,8 @@ static farrell_tightly_coupled_status_t pseudorange_lever_arm_rows(
                 const int32_t i = first + lane;
 
                 item_status[i] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+                if (block.status[lane] ==
+                    (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
                     pseudorange_lever_arm_fill_value(&block.value[lane], &value[i]);
                     pseudorange_lever_arm_fill_jacobian(&block.jacobian[lane],
                         FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_LANES, &jacobian[17 * i]);
@@ -248,7 +255,8 @@ static farrell_tightly_coupled_status_t pseudorange_lever_arm_rows_value(
                 const int32_t i = first + lane;
 
                 item_status[i] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+                if (block.status[lane] ==
+                    (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
                     pseudorange_lever_arm_fill_value(&block.value[lane], &value[i]);
                 } else {
                     pseudorange_lever_arm_clear_value(&value[i]);
@@ -298,7 +306,8 @@ static farrell_tightly_coupled_status_t pseudorange_lever_arm_rows_jacobian(
                 const int32_t i = first + lane;
 
                 item_status[i] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+                if (block.status[lane] ==
+                    (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
                     pseudorange_lever_arm_fill_jacobian(&block.jacobian[lane],
                         FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_LANES, &jacobian[17 * i]);
                 } else {
@@ -405,14 +414,16 @@ FARRELL_TIGHTLY_COUPLED_INLINE void pseudorange_lever_arm_columns(
         FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS],
     farrell_tightly_coupled_real_t jacobian_nz[FARRELL_TIGHTLY_COUPLED_RESTRICT 7 *
         FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS],
-    flag_t codes[FARRELL_TIGHTLY_COUPLED_RESTRICT])
+    farrell_tightly_coupled_flag_t codes[FARRELL_TIGHTLY_COUPLED_RESTRICT])
 {
     FARRELL_TIGHTLY_COUPLED_IVDEP
     for (int32_t i = 0; i < count; ++i) {
         pseudorange_lever_arm_item_t item;
         pseudorange_lever_arm_output_t out;
-        const flag_t loaded = pseudorange_lever_arm_load_item(&satellite_position[3 * i], &item);
-        const flag_t evaluated = pseudorange_lever_arm_item(in, shared, &item, &out);
+        const farrell_tightly_coupled_flag_t loaded =
+            pseudorange_lever_arm_load_item(&satellite_position[3 * i], &item);
+        const farrell_tightly_coupled_flag_t evaluated =
+            pseudorange_lever_arm_item(in, shared, &item, &out);
 
         codes[i] = first_failure(loaded, evaluated);
         pseudorange_lever_arm_fill_value(out.value, &value[i]);
@@ -453,22 +464,22 @@ FARRELL_TIGHTLY_COUPLED_WIDE farrell_tightly_coupled_status_t
             if (status == FARRELL_TIGHTLY_COUPLED_OK) {
                 status =
                     (farrell_tightly_coupled_status_t)pseudorange_lever_arm_shared(&in, &shared);
-                if (status == FARRELL_TIGHTLY_COUPLED_OK) {
-                    flag_t codes[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS];
+            }
+            if (status == FARRELL_TIGHTLY_COUPLED_OK) {
+                farrell_tightly_coupled_flag_t
+                    codes[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS];
 
-                    pseudorange_lever_arm_columns(&in, &shared, n, satellite_position, value,
-                        jacobian_nz, codes);
-                    for (int32_t i = 0; i < n; ++i) {
-                        item_status[i] = (uint8_t)codes[i];
-                        if (codes[i] != (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
-                            pseudorange_lever_arm_clear_value(&value[i]);
-                            for (int32_t k = 0; k < 7; ++k) {
-                                jacobian_nz[(k *
-                                    FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS) + i] =
-                                    0.0;
-                            }
-                            status = FARRELL_TIGHTLY_COUPLED_PARTIAL;
+                pseudorange_lever_arm_columns(&in, &shared, n, satellite_position, value,
+                    jacobian_nz, codes);
+                for (int32_t i = 0; i < n; ++i) {
+                    item_status[i] = (uint8_t)codes[i];
+                    if (codes[i] != (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+                        pseudorange_lever_arm_clear_value(&value[i]);
+                        for (int32_t k = 0; k < 7; ++k) {
+                            jacobian_nz[(k *
+                                FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS) + i] = 0.0;
                         }
+                        status = FARRELL_TIGHTLY_COUPLED_PARTIAL;
                     }
                 }
             }
@@ -606,7 +617,8 @@ static farrell_tightly_coupled_status_t pseudorange_lever_arm_differences(
                     const int32_t row = (i < reference) ? i : (i - 1);
 
                     item_status[i] = (uint8_t)block.status[lane];
-                    if (block.status[lane] == (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+                    if (block.status[lane] ==
+                        (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
                         pseudorange_lever_arm_difference_value(&block.value[lane], base.value,
                             &value[row]);
                         pseudorange_lever_arm_difference_jacobian(&block.jacobian[lane],
@@ -715,7 +727,7 @@ farrell_tightly_coupled_status_t
 
         status = pseudorange_lever_arm_check_reference(n, reference);
         if (status == FARRELL_TIGHTLY_COUPLED_OK) {
-            flag_t outside = 0U;
+            farrell_tightly_coupled_flag_t outside = 0U;
 
             for (int32_t i = 0; i < n; ++i) {
                 outside |= take_value(sigma[i], 0.0, 1.0e+150, &deviation[i]);

@@ -15,7 +15,7 @@
 /** Non-zeros of a block of epochs, each stored contiguously across the epochs. */
 typedef struct {
     farrell_tightly_coupled_real_t value[18 * FARRELL_TIGHTLY_COUPLED_RETRACT_LANES];
-    flag_t status[FARRELL_TIGHTLY_COUPLED_RETRACT_LANES];
+    farrell_tightly_coupled_flag_t status[FARRELL_TIGHTLY_COUPLED_RETRACT_LANES];
 } retract_block_t;
 
 /* Store the non-zeros of value, a stride apart. */
@@ -104,8 +104,9 @@ static FARRELL_TIGHTLY_COUPLED_WIDE void retract_lanes(
     for (int32_t lane = 0; lane < count; ++lane) {
         retract_input_t in;
         retract_output_t out;
-        const flag_t loaded = retract_load(&x[lane * x_step], &d[lane * d_step], &in);
-        const flag_t evaluated = retract_kernel(&in, &out);
+        const farrell_tightly_coupled_flag_t loaded =
+            retract_load(&x[lane * x_step], &d[lane * d_step], &in);
+        const farrell_tightly_coupled_flag_t evaluated = retract_kernel(&in, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         retract_put_value(&out, FARRELL_TIGHTLY_COUPLED_RETRACT_LANES, &block->value[lane]);
@@ -139,7 +140,8 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_retract_batch(
                 const ptrdiff_t epoch = first + lane;
 
                 status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+                if (block.status[lane] ==
+                    (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
                     retract_fill_value(&block.value[lane], FARRELL_TIGHTLY_COUPLED_RETRACT_LANES,
                         &value[18 * epoch]);
                 } else {

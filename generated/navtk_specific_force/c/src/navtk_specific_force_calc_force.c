@@ -19,7 +19,7 @@ typedef struct {
     navtk_specific_force_real_t jacobian_delta_theta[9 * NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES];
     navtk_specific_force_real_t jacobian_delta_velocity[9 * NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES];
     navtk_specific_force_real_t jacobian_dt[3 * NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES];
-    flag_t status[NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES];
+    navtk_specific_force_flag_t status[NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES];
 } calc_force_block_t;
 
 /* Store the non-zeros of value, a stride apart. */
@@ -311,10 +311,10 @@ static NAVTK_SPECIFIC_FORCE_WIDE void calc_force_lanes(
     for (int32_t lane = 0; lane < count; ++lane) {
         calc_force_input_t in;
         calc_force_output_t out;
-        const flag_t loaded = calc_force_load(&dcm[lane * dcm_step],
+        const navtk_specific_force_flag_t loaded = calc_force_load(&dcm[lane * dcm_step],
             &delta_theta[lane * delta_theta_step], &delta_velocity[lane * delta_velocity_step],
             &dt[lane * dt_step], &in);
-        const flag_t evaluated = calc_force_kernel(&in, &out);
+        const navtk_specific_force_flag_t evaluated = calc_force_kernel(&in, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         calc_force_put_value(&out, NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES, &block->value[lane]);
@@ -368,7 +368,7 @@ navtk_specific_force_status_t navtk_specific_force_calc_force_batch(
                 const ptrdiff_t epoch = first + lane;
 
                 status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)NAVTK_SPECIFIC_FORCE_OK) {
+                if (block.status[lane] == (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_OK) {
                     calc_force_fill_value(&block.value[lane], NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES,
                         &value[3 * epoch]);
                     calc_force_fill_jacobian_dcm(&block.jacobian_dcm[lane],

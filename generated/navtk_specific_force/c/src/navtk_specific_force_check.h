@@ -48,14 +48,14 @@
 
 /* Flags and status codes inside kernels: an integer as wide as navtk_specific_force_real_t, so that a vector
    register holds as many of one as of the other. */
-typedef uint64_t flag_t;
+typedef uint64_t navtk_specific_force_flag_t;
 
 /* The status of the step that failed first. */
-NAVTK_SPECIFIC_FORCE_INLINE flag_t first_failure(
-    flag_t earlier,
-    flag_t later)
+NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t first_failure(
+    navtk_specific_force_flag_t earlier,
+    navtk_specific_force_flag_t later)
 {
-    return (earlier != (flag_t)NAVTK_SPECIFIC_FORCE_OK) ? earlier : later;
+    return (earlier != (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_OK) ? earlier : later;
 }
 
 /* True when a value is a number inside a closed range; false for NaN. */
@@ -92,16 +92,17 @@ NAVTK_SPECIFIC_FORCE_INLINE bool is_equal(
 }
 
 /* 1 when a value is not a number inside [-bound, bound], else 0. */
-NAVTK_SPECIFIC_FORCE_INLINE flag_t is_beyond(
+NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t is_beyond(
     navtk_specific_force_real_t value,
     navtk_specific_force_real_t bound)
 {
-    return is_centred(value, bound) ? (flag_t)0U : (flag_t)1U;
+    return is_centred(value, bound) ? (navtk_specific_force_flag_t)0U :
+        (navtk_specific_force_flag_t)1U;
 }
 
 /* Copy a value into its range. Outside it, or for NaN, the lower end stands for it and 1 is
    returned. */
-NAVTK_SPECIFIC_FORCE_INLINE flag_t take_value(
+NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t take_value(
     navtk_specific_force_real_t value,
     navtk_specific_force_real_t lower,
     navtk_specific_force_real_t upper,
@@ -110,12 +111,13 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t take_value(
     const navtk_specific_force_real_t taken = is_within(value, lower, upper) ? value : lower;
 
     *copy = taken;
-    return is_equal(taken, value) ? (flag_t)0U : (flag_t)1U;
+    return is_equal(taken, value) ? (navtk_specific_force_flag_t)0U :
+        (navtk_specific_force_flag_t)1U;
 }
 
 /* Copy a value into [-bound, bound]. Outside it, or for NaN, zero stands for it and 1 is
    returned. */
-NAVTK_SPECIFIC_FORCE_INLINE flag_t take_centred(
+NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t take_centred(
     navtk_specific_force_real_t value,
     navtk_specific_force_real_t bound,
     navtk_specific_force_real_t *copy)
@@ -123,11 +125,12 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t take_centred(
     const navtk_specific_force_real_t taken = is_centred(value, bound) ? value : 0.0;
 
     *copy = taken;
-    return is_equal(taken, value) ? (flag_t)0U : (flag_t)1U;
+    return is_equal(taken, value) ? (navtk_specific_force_flag_t)0U :
+        (navtk_specific_force_flag_t)1U;
 }
 
 /* 1 when a quaternion is not of unit norm, else 0. */
-NAVTK_SPECIFIC_FORCE_INLINE flag_t is_skewed_quaternion(
+NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t is_skewed_quaternion(
     navtk_specific_force_real_t q0,
     navtk_specific_force_real_t q1,
     navtk_specific_force_real_t q2,
@@ -137,12 +140,13 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t is_skewed_quaternion(
     const navtk_specific_force_real_t excess = ((q0 * q0) + (q1 * q1) + (q2 * q2) + (q3 * q3)) -
         1.0;
 
-    return (fabs(excess) <= tolerance) ? (flag_t)0U : (flag_t)1U;
+    return (fabs(excess) <= tolerance) ? (navtk_specific_force_flag_t)0U :
+        (navtk_specific_force_flag_t)1U;
 }
 
 /* 1 when a 3 by 3 matrix is no rotation, else 0: the first two columns are orthonormal and the
    third is their cross product, so that a reflection is refused as well. */
-NAVTK_SPECIFIC_FORCE_INLINE flag_t is_skewed_matrix(
+NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t is_skewed_matrix(
     navtk_specific_force_real_t m00,
     navtk_specific_force_real_t m01,
     navtk_specific_force_real_t m02,
@@ -163,7 +167,8 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t is_skewed_matrix(
 
     return ((fabs(e00) <= tolerance) && (fabs(e11) <= tolerance) &&
             (fabs(e01) <= tolerance) && (fabs(e02) <= tolerance) &&
-            (fabs(e12) <= tolerance) && (fabs(e22) <= tolerance)) ? (flag_t)0U : (flag_t)1U;
+            (fabs(e12) <= tolerance) && (fabs(e22) <= tolerance)) ?
+                (navtk_specific_force_flag_t)0U : (navtk_specific_force_flag_t)1U;
 }
 
 #endif /* NAVTK_SPECIFIC_FORCE_CHECK_H */

@@ -42,15 +42,15 @@ typedef struct {
 } force_output_t;
 
 /* Check and copy the inputs of one call. */
-NAVTK_SPECIFIC_FORCE_INLINE flag_t force_load(
+NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t force_load(
     const navtk_specific_force_real_t x[],
     const navtk_specific_force_real_t delta_theta[],
     const navtk_specific_force_real_t delta_velocity[],
     const navtk_specific_force_real_t dt[],
     force_input_t *in)
 {
-    flag_t outside = 0U;
-    flag_t skewed = 0U;
+    navtk_specific_force_flag_t outside = 0U;
+    navtk_specific_force_flag_t skewed = 0U;
 
     /* attitude [s -> n] */
     outside |= take_centred(x[6], 1.00001, &in->attitude_w);
@@ -83,12 +83,14 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t force_load(
     /* dt [s] */
     outside |= take_value(dt[0], 1.0e-05, 0.05, &in->dt);
 
-    return (outside != 0U) ? (flag_t)NAVTK_SPECIFIC_FORCE_RANGE :
-        ((skewed != 0U) ? (flag_t)NAVTK_SPECIFIC_FORCE_QNORM : (flag_t)NAVTK_SPECIFIC_FORCE_OK);
+    return (outside != 0U) ? (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_RANGE :
+        ((skewed != 0U) ? (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_QNORM :
+            (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_OK);
 }
 
 /* Specific force corrected for rotation and sculling: values and structural non-zeros. */
-NAVTK_SPECIFIC_FORCE_INLINE flag_t force_kernel(const force_input_t *in, force_output_t *out)
+NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t
+    force_kernel(const force_input_t *in, force_output_t *out)
 {
     const navtk_specific_force_real_t inverse_dt = 1.0 / in->dt;  /* shared reciprocal */
     const navtk_specific_force_real_t attitude_twice_x = 2.0 * in->attitude_x;
@@ -283,7 +285,7 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t force_kernel(const force_input_t *in, force_o
     out->jacobian_dt[1] = value_by_dt_y_3;  /* value y, dt */
     out->jacobian_dt[2] = value_by_dt_z_3;  /* value z, dt */
 
-    return (flag_t)NAVTK_SPECIFIC_FORCE_OK;
+    return (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_OK;
 }
 
 #endif /* NAVTK_SPECIFIC_FORCE_FORCE_KERNEL_H */

@@ -15,7 +15,7 @@
 /** Non-zeros of a block of epochs, each stored contiguously across the epochs. */
 typedef struct {
     navtk_specific_force_real_t value[15 * NAVTK_SPECIFIC_FORCE_LOCAL_LANES];
-    flag_t status[NAVTK_SPECIFIC_FORCE_LOCAL_LANES];
+    navtk_specific_force_flag_t status[NAVTK_SPECIFIC_FORCE_LOCAL_LANES];
 } local_block_t;
 
 /* Store the non-zeros of value, a stride apart. */
@@ -98,8 +98,9 @@ static NAVTK_SPECIFIC_FORCE_WIDE void local_lanes(
     for (int32_t lane = 0; lane < count; ++lane) {
         local_input_t in;
         local_output_t out;
-        const flag_t loaded = local_load(&x[lane * x_step], &y[lane * y_step], &in);
-        const flag_t evaluated = local_kernel(&in, &out);
+        const navtk_specific_force_flag_t loaded =
+            local_load(&x[lane * x_step], &y[lane * y_step], &in);
+        const navtk_specific_force_flag_t evaluated = local_kernel(&in, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         local_put_value(&out, NAVTK_SPECIFIC_FORCE_LOCAL_LANES, &block->value[lane]);
@@ -132,7 +133,7 @@ navtk_specific_force_status_t navtk_specific_force_local_batch(
                 const ptrdiff_t epoch = first + lane;
 
                 status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)NAVTK_SPECIFIC_FORCE_OK) {
+                if (block.status[lane] == (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_OK) {
                     local_fill_value(&block.value[lane], NAVTK_SPECIFIC_FORCE_LOCAL_LANES,
                         &value[15 * epoch]);
                 } else {

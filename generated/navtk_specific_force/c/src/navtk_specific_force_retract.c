@@ -15,7 +15,7 @@
 /** Non-zeros of a block of epochs, each stored contiguously across the epochs. */
 typedef struct {
     navtk_specific_force_real_t value[16 * NAVTK_SPECIFIC_FORCE_RETRACT_LANES];
-    flag_t status[NAVTK_SPECIFIC_FORCE_RETRACT_LANES];
+    navtk_specific_force_flag_t status[NAVTK_SPECIFIC_FORCE_RETRACT_LANES];
 } retract_block_t;
 
 /* Store the non-zeros of value, a stride apart. */
@@ -100,8 +100,9 @@ static NAVTK_SPECIFIC_FORCE_WIDE void retract_lanes(
     for (int32_t lane = 0; lane < count; ++lane) {
         retract_input_t in;
         retract_output_t out;
-        const flag_t loaded = retract_load(&x[lane * x_step], &d[lane * d_step], &in);
-        const flag_t evaluated = retract_kernel(&in, &out);
+        const navtk_specific_force_flag_t loaded =
+            retract_load(&x[lane * x_step], &d[lane * d_step], &in);
+        const navtk_specific_force_flag_t evaluated = retract_kernel(&in, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         retract_put_value(&out, NAVTK_SPECIFIC_FORCE_RETRACT_LANES, &block->value[lane]);
@@ -135,7 +136,7 @@ navtk_specific_force_status_t navtk_specific_force_retract_batch(
                 const ptrdiff_t epoch = first + lane;
 
                 status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)NAVTK_SPECIFIC_FORCE_OK) {
+                if (block.status[lane] == (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_OK) {
                     retract_fill_value(&block.value[lane], NAVTK_SPECIFIC_FORCE_RETRACT_LANES,
                         &value[16 * epoch]);
                 } else {

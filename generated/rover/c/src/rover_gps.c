@@ -16,7 +16,7 @@
 typedef struct {
     rover_real_t value[3 * ROVER_GPS_LANES];
     rover_real_t jacobian[21 * ROVER_GPS_LANES];
-    flag_t status[ROVER_GPS_LANES];
+    rover_flag_t status[ROVER_GPS_LANES];
 } gps_block_t;
 
 /* Store the non-zeros of value, a stride apart. */
@@ -233,8 +233,8 @@ static ROVER_WIDE void gps_lanes(
     for (int32_t lane = 0; lane < count; ++lane) {
         gps_input_t in;
         gps_output_t out;
-        const flag_t loaded = gps_load(&x[lane * x_step], &in);
-        const flag_t evaluated = gps_kernel(&in, &out);
+        const rover_flag_t loaded = gps_load(&x[lane * x_step], &in);
+        const rover_flag_t evaluated = gps_kernel(&in, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         gps_put_value(&out, ROVER_GPS_LANES, &block->value[lane]);
@@ -266,7 +266,7 @@ rover_status_t rover_gps_batch(
                 const ptrdiff_t epoch = first + lane;
 
                 status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)ROVER_OK) {
+                if (block.status[lane] == (rover_flag_t)ROVER_OK) {
                     gps_fill_value(&block.value[lane], ROVER_GPS_LANES, &value[3 * epoch]);
                     gps_fill_jacobian(&block.jacobian[lane], ROVER_GPS_LANES,
                         &jacobian[63 * epoch]);

@@ -16,7 +16,7 @@
 typedef struct {
     rover_real_t value[3 * ROVER_IMU_LANES];
     rover_real_t jacobian[27 * ROVER_IMU_LANES];
-    flag_t status[ROVER_IMU_LANES];
+    rover_flag_t status[ROVER_IMU_LANES];
 } imu_block_t;
 
 /* Store the non-zeros of value, a stride apart. */
@@ -240,9 +240,10 @@ static ROVER_WIDE void imu_lanes(
     for (int32_t lane = 0; lane < count; ++lane) {
         imu_input_t in;
         imu_output_t out;
-        const flag_t loaded = imu_load(&x[lane * x_step], &delta_theta[lane * delta_theta_step],
+        const rover_flag_t loaded =
+            imu_load(&x[lane * x_step], &delta_theta[lane * delta_theta_step],
             &delta_velocity[lane * delta_velocity_step], &dt[lane * dt_step], &in);
-        const flag_t evaluated = imu_kernel(&in, &out);
+        const rover_flag_t evaluated = imu_kernel(&in, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         imu_put_value(&out, ROVER_IMU_LANES, &block->value[lane]);
@@ -283,7 +284,7 @@ rover_status_t rover_imu_batch(
                 const ptrdiff_t epoch = first + lane;
 
                 status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)ROVER_OK) {
+                if (block.status[lane] == (rover_flag_t)ROVER_OK) {
                     imu_fill_value(&block.value[lane], ROVER_IMU_LANES, &value[3 * epoch]);
                     imu_fill_jacobian(&block.jacobian[lane], ROVER_IMU_LANES,
                         &jacobian[63 * epoch]);

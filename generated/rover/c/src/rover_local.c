@@ -15,7 +15,7 @@
 /** Non-zeros of a block of epochs, each stored contiguously across the epochs. */
 typedef struct {
     rover_real_t value[21 * ROVER_LOCAL_LANES];
-    flag_t status[ROVER_LOCAL_LANES];
+    rover_flag_t status[ROVER_LOCAL_LANES];
 } local_block_t;
 
 /* Store the non-zeros of value, a stride apart. */
@@ -109,8 +109,8 @@ static ROVER_WIDE void local_lanes(
     for (int32_t lane = 0; lane < count; ++lane) {
         local_input_t in;
         local_output_t out;
-        const flag_t loaded = local_load(&x[lane * x_step], &y[lane * y_step], &in);
-        const flag_t evaluated = local_kernel(&in, &out);
+        const rover_flag_t loaded = local_load(&x[lane * x_step], &y[lane * y_step], &in);
+        const rover_flag_t evaluated = local_kernel(&in, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         local_put_value(&out, ROVER_LOCAL_LANES, &block->value[lane]);
@@ -142,7 +142,7 @@ rover_status_t rover_local_batch(
                 const ptrdiff_t epoch = first + lane;
 
                 status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)ROVER_OK) {
+                if (block.status[lane] == (rover_flag_t)ROVER_OK) {
                     local_fill_value(&block.value[lane], ROVER_LOCAL_LANES, &value[21 * epoch]);
                 } else {
                     result = ROVER_PARTIAL;

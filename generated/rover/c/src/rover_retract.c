@@ -15,7 +15,7 @@
 /** Non-zeros of a block of epochs, each stored contiguously across the epochs. */
 typedef struct {
     rover_real_t value[22 * ROVER_RETRACT_LANES];
-    flag_t status[ROVER_RETRACT_LANES];
+    rover_flag_t status[ROVER_RETRACT_LANES];
 } retract_block_t;
 
 /* Store the non-zeros of value, a stride apart. */
@@ -111,8 +111,8 @@ static ROVER_WIDE void retract_lanes(
     for (int32_t lane = 0; lane < count; ++lane) {
         retract_input_t in;
         retract_output_t out;
-        const flag_t loaded = retract_load(&x[lane * x_step], &d[lane * d_step], &in);
-        const flag_t evaluated = retract_kernel(&in, &out);
+        const rover_flag_t loaded = retract_load(&x[lane * x_step], &d[lane * d_step], &in);
+        const rover_flag_t evaluated = retract_kernel(&in, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         retract_put_value(&out, ROVER_RETRACT_LANES, &block->value[lane]);
@@ -145,7 +145,7 @@ rover_status_t rover_retract_batch(
                 const ptrdiff_t epoch = first + lane;
 
                 status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)ROVER_OK) {
+                if (block.status[lane] == (rover_flag_t)ROVER_OK) {
                     retract_fill_value(&block.value[lane], ROVER_RETRACT_LANES, &value[22 * epoch]);
                 } else {
                     result = ROVER_PARTIAL;

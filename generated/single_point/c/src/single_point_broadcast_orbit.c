@@ -18,7 +18,7 @@ typedef struct {
     single_point_real_t clock[SINGLE_POINT_BROADCAST_ORBIT_LANES];
     single_point_real_t velocity[3 * SINGLE_POINT_BROADCAST_ORBIT_LANES];
     single_point_real_t clock_rate[SINGLE_POINT_BROADCAST_ORBIT_LANES];
-    flag_t status[SINGLE_POINT_BROADCAST_ORBIT_LANES];
+    single_point_flag_t status[SINGLE_POINT_BROADCAST_ORBIT_LANES];
 } broadcast_orbit_block_t;
 
 /* Store the non-zeros of position, a stride apart. */
@@ -190,7 +190,7 @@ static SINGLE_POINT_WIDE void broadcast_orbit_lanes(
     for (int32_t lane = 0; lane < count; ++lane) {
         broadcast_orbit_input_t in;
         broadcast_orbit_output_t out;
-        const flag_t loaded = broadcast_orbit_load(&time_2[lane * time_2_step],
+        const single_point_flag_t loaded = broadcast_orbit_load(&time_2[lane * time_2_step],
             &toe[lane * toe_step], &toc[lane * toc_step], &sqrt_a[lane * sqrt_a_step],
             &eccentricity[lane * eccentricity_step], &mean_anomaly[lane * mean_anomaly_step],
             &mean_motion_difference[lane * mean_motion_difference_step],
@@ -202,7 +202,7 @@ static SINGLE_POINT_WIDE void broadcast_orbit_lanes(
             &cic[lane * cic_step], &cis[lane * cis_step], &af0[lane * af0_step],
             &af1[lane * af1_step], &af2[lane * af2_step], &group_delay[lane * group_delay_step],
             &in);
-        const flag_t evaluated = broadcast_orbit_kernel(&in, &out);
+        const single_point_flag_t evaluated = broadcast_orbit_kernel(&in, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         broadcast_orbit_put_position(&out, SINGLE_POINT_BROADCAST_ORBIT_LANES,
@@ -307,7 +307,7 @@ single_point_status_t single_point_broadcast_orbit_batch(
                 const ptrdiff_t epoch = first + lane;
 
                 status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)SINGLE_POINT_OK) {
+                if (block.status[lane] == (single_point_flag_t)SINGLE_POINT_OK) {
                     broadcast_orbit_fill_position(&block.position[lane],
                         SINGLE_POINT_BROADCAST_ORBIT_LANES, &position[3 * epoch]);
                     broadcast_orbit_fill_clock(&block.clock[lane], &clock[epoch]);

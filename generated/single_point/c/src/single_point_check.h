@@ -48,14 +48,14 @@
 
 /* Flags and status codes inside kernels: an integer as wide as single_point_real_t, so that a vector
    register holds as many of one as of the other. */
-typedef uint64_t flag_t;
+typedef uint64_t single_point_flag_t;
 
 /* The status of the step that failed first. */
-SINGLE_POINT_INLINE flag_t first_failure(
-    flag_t earlier,
-    flag_t later)
+SINGLE_POINT_INLINE single_point_flag_t first_failure(
+    single_point_flag_t earlier,
+    single_point_flag_t later)
 {
-    return (earlier != (flag_t)SINGLE_POINT_OK) ? earlier : later;
+    return (earlier != (single_point_flag_t)SINGLE_POINT_OK) ? earlier : later;
 }
 
 /* True when a value is a number inside a closed range; false for NaN. */
@@ -93,7 +93,7 @@ SINGLE_POINT_INLINE bool is_equal(
 
 /* Copy a value into its range. Outside it, or for NaN, the lower end stands for it and 1 is
    returned. */
-SINGLE_POINT_INLINE flag_t take_value(
+SINGLE_POINT_INLINE single_point_flag_t take_value(
     single_point_real_t value,
     single_point_real_t lower,
     single_point_real_t upper,
@@ -102,12 +102,12 @@ SINGLE_POINT_INLINE flag_t take_value(
     const single_point_real_t taken = is_within(value, lower, upper) ? value : lower;
 
     *copy = taken;
-    return is_equal(taken, value) ? (flag_t)0U : (flag_t)1U;
+    return is_equal(taken, value) ? (single_point_flag_t)0U : (single_point_flag_t)1U;
 }
 
 /* Copy a value into [-bound, bound]. Outside it, or for NaN, zero stands for it and 1 is
    returned. */
-SINGLE_POINT_INLINE flag_t take_centred(
+SINGLE_POINT_INLINE single_point_flag_t take_centred(
     single_point_real_t value,
     single_point_real_t bound,
     single_point_real_t *copy)
@@ -115,7 +115,7 @@ SINGLE_POINT_INLINE flag_t take_centred(
     const single_point_real_t taken = is_centred(value, bound) ? value : 0.0;
 
     *copy = taken;
-    return is_equal(taken, value) ? (flag_t)0U : (flag_t)1U;
+    return is_equal(taken, value) ? (single_point_flag_t)0U : (single_point_flag_t)1U;
 }
 
 #endif /* SINGLE_POINT_CHECK_H */

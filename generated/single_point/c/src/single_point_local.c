@@ -15,7 +15,7 @@
 /** Non-zeros of a block of epochs, each stored contiguously across the epochs. */
 typedef struct {
     single_point_real_t value[4 * SINGLE_POINT_LOCAL_LANES];
-    flag_t status[SINGLE_POINT_LOCAL_LANES];
+    single_point_flag_t status[SINGLE_POINT_LOCAL_LANES];
 } local_block_t;
 
 /* Store the non-zeros of value, a stride apart. */
@@ -75,8 +75,8 @@ static SINGLE_POINT_WIDE void local_lanes(
     for (int32_t lane = 0; lane < count; ++lane) {
         local_input_t in;
         local_output_t out;
-        const flag_t loaded = local_load(&x[lane * x_step], &y[lane * y_step], &in);
-        const flag_t evaluated = local_kernel(&in, &out);
+        const single_point_flag_t loaded = local_load(&x[lane * x_step], &y[lane * y_step], &in);
+        const single_point_flag_t evaluated = local_kernel(&in, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         local_put_value(&out, SINGLE_POINT_LOCAL_LANES, &block->value[lane]);
@@ -108,7 +108,7 @@ single_point_status_t single_point_local_batch(
                 const ptrdiff_t epoch = first + lane;
 
                 status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)SINGLE_POINT_OK) {
+                if (block.status[lane] == (single_point_flag_t)SINGLE_POINT_OK) {
                     local_fill_value(&block.value[lane], SINGLE_POINT_LOCAL_LANES,
                         &value[4 * epoch]);
                 } else {

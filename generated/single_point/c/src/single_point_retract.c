@@ -15,7 +15,7 @@
 /** Non-zeros of a block of epochs, each stored contiguously across the epochs. */
 typedef struct {
     single_point_real_t value[4 * SINGLE_POINT_RETRACT_LANES];
-    flag_t status[SINGLE_POINT_RETRACT_LANES];
+    single_point_flag_t status[SINGLE_POINT_RETRACT_LANES];
 } retract_block_t;
 
 /* Store the non-zeros of value, a stride apart. */
@@ -75,8 +75,8 @@ static SINGLE_POINT_WIDE void retract_lanes(
     for (int32_t lane = 0; lane < count; ++lane) {
         retract_input_t in;
         retract_output_t out;
-        const flag_t loaded = retract_load(&x[lane * x_step], &d[lane * d_step], &in);
-        const flag_t evaluated = retract_kernel(&in, &out);
+        const single_point_flag_t loaded = retract_load(&x[lane * x_step], &d[lane * d_step], &in);
+        const single_point_flag_t evaluated = retract_kernel(&in, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         retract_put_value(&out, SINGLE_POINT_RETRACT_LANES, &block->value[lane]);
@@ -110,7 +110,7 @@ single_point_status_t single_point_retract_batch(
                 const ptrdiff_t epoch = first + lane;
 
                 status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)SINGLE_POINT_OK) {
+                if (block.status[lane] == (single_point_flag_t)SINGLE_POINT_OK) {
                     retract_fill_value(&block.value[lane], SINGLE_POINT_RETRACT_LANES,
                         &value[4 * epoch]);
                 } else {

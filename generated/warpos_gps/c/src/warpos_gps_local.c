@@ -15,7 +15,7 @@
 /** Non-zeros of a block of epochs, each stored contiguously across the epochs. */
 typedef struct {
     warpos_gps_real_t value[15 * WARPOS_GPS_LOCAL_LANES];
-    flag_t status[WARPOS_GPS_LOCAL_LANES];
+    warpos_gps_flag_t status[WARPOS_GPS_LOCAL_LANES];
 } local_block_t;
 
 /* Store the non-zeros of value, a stride apart. */
@@ -97,8 +97,8 @@ static WARPOS_GPS_WIDE void local_lanes(
     for (int32_t lane = 0; lane < count; ++lane) {
         local_input_t in;
         local_output_t out;
-        const flag_t loaded = local_load(&x[lane * x_step], &y[lane * y_step], &in);
-        const flag_t evaluated = local_kernel(&in, &out);
+        const warpos_gps_flag_t loaded = local_load(&x[lane * x_step], &y[lane * y_step], &in);
+        const warpos_gps_flag_t evaluated = local_kernel(&in, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         local_put_value(&out, WARPOS_GPS_LOCAL_LANES, &block->value[lane]);
@@ -130,7 +130,7 @@ warpos_gps_status_t warpos_gps_local_batch(
                 const ptrdiff_t epoch = first + lane;
 
                 status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)WARPOS_GPS_OK) {
+                if (block.status[lane] == (warpos_gps_flag_t)WARPOS_GPS_OK) {
                     local_fill_value(&block.value[lane], WARPOS_GPS_LOCAL_LANES,
                         &value[15 * epoch]);
                 } else {

@@ -16,7 +16,7 @@
 typedef struct {
     warpos_gps_real_t value[3 * WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES];
     warpos_gps_real_t jacobian[3 * WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES];
-    flag_t status[WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES];
+    warpos_gps_flag_t status[WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES];
 } measurement_by_column_block_t;
 
 /* Store the non-zeros of value, a stride apart. */
@@ -197,8 +197,8 @@ static WARPOS_GPS_WIDE void measurement_by_column_lanes(
     for (int32_t lane = 0; lane < count; ++lane) {
         measurement_by_column_input_t in;
         measurement_by_column_output_t out;
-        const flag_t loaded = measurement_by_column_load(&x[lane * x_step], &in);
-        const flag_t evaluated = measurement_by_column_kernel(&in, &out);
+        const warpos_gps_flag_t loaded = measurement_by_column_load(&x[lane * x_step], &in);
+        const warpos_gps_flag_t evaluated = measurement_by_column_kernel(&in, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         measurement_by_column_put_value(&out, WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES,
@@ -233,7 +233,7 @@ warpos_gps_status_t warpos_gps_measurement_by_column_batch(
                 const ptrdiff_t epoch = first + lane;
 
                 status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)WARPOS_GPS_OK) {
+                if (block.status[lane] == (warpos_gps_flag_t)WARPOS_GPS_OK) {
                     measurement_by_column_fill_value(&block.value[lane],
                         WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES, &value[3 * epoch]);
                     measurement_by_column_fill_jacobian_by_row(&block.jacobian[lane],

@@ -16,7 +16,7 @@
 typedef struct {
     warpos_gps_real_t value[3 * WARPOS_GPS_OBSERVED_BY_COLUMN_LANES];
     warpos_gps_real_t jacobian[9 * WARPOS_GPS_OBSERVED_BY_COLUMN_LANES];
-    flag_t status[WARPOS_GPS_OBSERVED_BY_COLUMN_LANES];
+    warpos_gps_flag_t status[WARPOS_GPS_OBSERVED_BY_COLUMN_LANES];
 } observed_by_column_block_t;
 
 /* Store the non-zeros of value, a stride apart. */
@@ -215,9 +215,9 @@ static WARPOS_GPS_WIDE void observed_by_column_lanes(
     for (int32_t lane = 0; lane < count; ++lane) {
         observed_by_column_input_t in;
         observed_by_column_output_t out;
-        const flag_t loaded = observed_by_column_load(&x[lane * x_step],
+        const warpos_gps_flag_t loaded = observed_by_column_load(&x[lane * x_step],
             &observer_attitude[lane * observer_attitude_step], &in);
-        const flag_t evaluated = observed_by_column_kernel(&in, &out);
+        const warpos_gps_flag_t evaluated = observed_by_column_kernel(&in, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         observed_by_column_put_value(&out, WARPOS_GPS_OBSERVED_BY_COLUMN_LANES,
@@ -257,7 +257,7 @@ warpos_gps_status_t warpos_gps_observed_by_column_batch(
                 const ptrdiff_t epoch = first + lane;
 
                 status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)WARPOS_GPS_OK) {
+                if (block.status[lane] == (warpos_gps_flag_t)WARPOS_GPS_OK) {
                     observed_by_column_fill_value(&block.value[lane],
                         WARPOS_GPS_OBSERVED_BY_COLUMN_LANES, &value[3 * epoch]);
                     observed_by_column_fill_jacobian_by_row(&block.jacobian[lane],

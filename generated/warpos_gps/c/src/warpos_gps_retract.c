@@ -15,7 +15,7 @@
 /** Non-zeros of a block of epochs, each stored contiguously across the epochs. */
 typedef struct {
     warpos_gps_real_t value[15 * WARPOS_GPS_RETRACT_LANES];
-    flag_t status[WARPOS_GPS_RETRACT_LANES];
+    warpos_gps_flag_t status[WARPOS_GPS_RETRACT_LANES];
 } retract_block_t;
 
 /* Store the non-zeros of value, a stride apart. */
@@ -97,8 +97,8 @@ static WARPOS_GPS_WIDE void retract_lanes(
     for (int32_t lane = 0; lane < count; ++lane) {
         retract_input_t in;
         retract_output_t out;
-        const flag_t loaded = retract_load(&x[lane * x_step], &d[lane * d_step], &in);
-        const flag_t evaluated = retract_kernel(&in, &out);
+        const warpos_gps_flag_t loaded = retract_load(&x[lane * x_step], &d[lane * d_step], &in);
+        const warpos_gps_flag_t evaluated = retract_kernel(&in, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         retract_put_value(&out, WARPOS_GPS_RETRACT_LANES, &block->value[lane]);
@@ -131,7 +131,7 @@ warpos_gps_status_t warpos_gps_retract_batch(
                 const ptrdiff_t epoch = first + lane;
 
                 status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)WARPOS_GPS_OK) {
+                if (block.status[lane] == (warpos_gps_flag_t)WARPOS_GPS_OK) {
                     retract_fill_value(&block.value[lane], WARPOS_GPS_RETRACT_LANES,
                         &value[15 * epoch]);
                 } else {

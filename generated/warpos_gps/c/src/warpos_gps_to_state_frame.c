@@ -16,7 +16,7 @@
 typedef struct {
     warpos_gps_real_t value[3 * WARPOS_GPS_TO_STATE_FRAME_LANES];
     warpos_gps_real_t value_covariance[9 * WARPOS_GPS_TO_STATE_FRAME_LANES];
-    flag_t status[WARPOS_GPS_TO_STATE_FRAME_LANES];
+    warpos_gps_flag_t status[WARPOS_GPS_TO_STATE_FRAME_LANES];
 } to_state_frame_block_t;
 
 /* Store the non-zeros of value, a stride apart. */
@@ -123,11 +123,12 @@ static WARPOS_GPS_WIDE void to_state_frame_lanes(
     for (int32_t lane = 0; lane < count; ++lane) {
         to_state_frame_input_t in;
         to_state_frame_output_t out;
-        const flag_t loaded = to_state_frame_load(&observer_attitude[lane * observer_attitude_step],
+        const warpos_gps_flag_t loaded =
+            to_state_frame_load(&observer_attitude[lane * observer_attitude_step],
             &receiver_position[lane * receiver_position_step],
             &origin_offset[lane * origin_offset_step], &attitude[lane * attitude_step],
             &lever_arm[lane * lever_arm_step], &covariance_2[lane * covariance_2_step], &in);
-        const flag_t evaluated = to_state_frame_kernel(&in, &out);
+        const warpos_gps_flag_t evaluated = to_state_frame_kernel(&in, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         to_state_frame_put_value(&out, WARPOS_GPS_TO_STATE_FRAME_LANES, &block->value[lane]);
@@ -178,7 +179,7 @@ warpos_gps_status_t warpos_gps_to_state_frame_batch(
                 const ptrdiff_t epoch = first + lane;
 
                 status[epoch] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)WARPOS_GPS_OK) {
+                if (block.status[lane] == (warpos_gps_flag_t)WARPOS_GPS_OK) {
                     to_state_frame_fill_value(&block.value[lane], WARPOS_GPS_TO_STATE_FRAME_LANES,
                         &value[3 * epoch]);
                     to_state_frame_fill_value_covariance(&block.value_covariance[lane],
