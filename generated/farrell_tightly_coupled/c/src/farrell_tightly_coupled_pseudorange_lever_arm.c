@@ -458,13 +458,12 @@ FARRELL_TIGHTLY_COUPLED_WIDE farrell_tightly_coupled_status_t
         if ((n >= 0) && (n <= FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS)) {
             pseudorange_lever_arm_input_t in;
             pseudorange_lever_arm_shared_t shared;
+            const farrell_tightly_coupled_flag_t loaded =
+                pseudorange_lever_arm_load(x, c_n_e, origin, lever_arm, &in);
+            const farrell_tightly_coupled_flag_t evaluated =
+                pseudorange_lever_arm_shared(&in, &shared);
 
-            status = (farrell_tightly_coupled_status_t)pseudorange_lever_arm_load(x, c_n_e, origin,
-                lever_arm, &in);
-            if (status == FARRELL_TIGHTLY_COUPLED_OK) {
-                status =
-                    (farrell_tightly_coupled_status_t)pseudorange_lever_arm_shared(&in, &shared);
-            }
+            status = (farrell_tightly_coupled_status_t)first_failure(loaded, evaluated);
             if (status == FARRELL_TIGHTLY_COUPLED_OK) {
                 farrell_tightly_coupled_flag_t
                     codes[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS];

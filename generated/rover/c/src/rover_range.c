@@ -495,11 +495,10 @@ ROVER_WIDE rover_status_t rover_range_nz(
         if ((n >= 0) && (n <= ROVER_RANGE_MAX_ITEMS)) {
             range_input_t in;
             range_shared_t shared;
+            const rover_flag_t loaded = range_load(x, nav_to_ecef, origin, &in);
+            const rover_flag_t evaluated = range_shared(&in, &shared);
 
-            status = (rover_status_t)range_load(x, nav_to_ecef, origin, &in);
-            if (status == ROVER_OK) {
-                status = (rover_status_t)range_shared(&in, &shared);
-            }
+            status = (rover_status_t)first_failure(loaded, evaluated);
             if (status == ROVER_OK) {
                 rover_flag_t codes[ROVER_RANGE_MAX_ITEMS];
 

@@ -423,11 +423,10 @@ SINGLE_POINT_WIDE single_point_status_t single_point_pseudorange_nz(
         status = SINGLE_POINT_COUNT;
         if ((n >= 0) && (n <= SINGLE_POINT_PSEUDORANGE_MAX_ITEMS)) {
             pseudorange_input_t in;
+            const single_point_flag_t loaded = pseudorange_load(x, &in);
+            const single_point_flag_t evaluated = pseudorange_shared();
 
-            status = (single_point_status_t)pseudorange_load(x, &in);
-            if (status == SINGLE_POINT_OK) {
-                status = (single_point_status_t)pseudorange_shared();
-            }
+            status = (single_point_status_t)first_failure(loaded, evaluated);
             if (status == SINGLE_POINT_OK) {
                 status = pseudorange_check_items(&in, n, satellite_position, satellite_clock,
                     troposphere, ionosphere, item_status);
