@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Mapping, Sequence
 
@@ -71,7 +72,16 @@ def emit(module: ir.Module) -> dict[str, str]:
         files[f"{src}/{symbol}_kernel.h"] = _kernel_header(module, source.kernel)
         lead = banner(module, f"{symbol}.c", f"{title}: entry points.")
         files[f"{src}/{symbol}.c"] = source.source(lead)
-    return {path: fitted(text) for path, text in files.items()}
+    return {path: fitted(_with_own_flags(text, target)) for path, text in files.items()}
+
+
+def _with_own_flags(text: str, target: Target) -> str:
+    """A file in which the type of flags has the name of its tree.
+
+    Templates say ``flag_t``. Trees of two scalar types can be linked into one program, where a
+    name must not stand for two types (MISRA C:2012, 5.6).
+    """
+    return re.sub(r"\bflag_t\b", f"{target.prefix}_flag_t", text)
 
 
 def sections(module: ir.Module) -> tuple[Section, ...]:

@@ -36,14 +36,14 @@ typedef struct {
 } gps_output_t;
 
 /* Check and copy the inputs of one call. */
-EKF_CAL_GPS_INLINE flag_t gps_load(
+EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t gps_load(
     const ekf_cal_gps_real_t x[],
     const ekf_cal_gps_real_t measured[],
     int32_t stride,
     gps_input_t *in)
 {
-    flag_t outside = 0U;
-    flag_t skewed = 0U;
+    ekf_cal_gps_flag_t outside = 0U;
+    ekf_cal_gps_flag_t skewed = 0U;
 
     /* position [m, in l] */
     outside |= take_centred(x[0], 1000000.0, &in->position_x);
@@ -68,8 +68,9 @@ EKF_CAL_GPS_INLINE flag_t gps_load(
     outside |= take_centred(measured[stride], 1000000000.0, &in->measured_y);
     outside |= take_centred(measured[2 * stride], 1000000000.0, &in->measured_z);
 
-    return (outside != 0U) ? (flag_t)EKF_CAL_GPS_RANGE :
-        ((skewed != 0U) ? (flag_t)EKF_CAL_GPS_QNORM : (flag_t)EKF_CAL_GPS_OK);
+    return (outside != 0U) ? (ekf_cal_gps_flag_t)EKF_CAL_GPS_RANGE :
+        ((skewed != 0U) ? (ekf_cal_gps_flag_t)EKF_CAL_GPS_QNORM :
+            (ekf_cal_gps_flag_t)EKF_CAL_GPS_OK);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -95,7 +96,7 @@ EKF_CAL_GPS_INLINE void gps_copy(
 }
 
 /* Position of a GNSS antenna: values and structural non-zeros. */
-EKF_CAL_GPS_INLINE flag_t gps_kernel(const gps_input_t *in, gps_output_t *out)
+EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t gps_kernel(const gps_input_t *in, gps_output_t *out)
 {
     const ekf_cal_gps_real_t attitude_twice_x = 2.0 * in->attitude_x;
     const ekf_cal_gps_real_t attitude_twice_y = 2.0 * in->attitude_y;
@@ -168,7 +169,7 @@ EKF_CAL_GPS_INLINE flag_t gps_kernel(const gps_input_t *in, gps_output_t *out)
     out->jacobian[19] = attitude_21;  /* value z, antenna y */
     out->jacobian[20] = attitude_22;  /* value z, antenna z */
 
-    return (flag_t)EKF_CAL_GPS_OK;
+    return (ekf_cal_gps_flag_t)EKF_CAL_GPS_OK;
 }
 
 #endif /* EKF_CAL_GPS_GPS_KERNEL_H */

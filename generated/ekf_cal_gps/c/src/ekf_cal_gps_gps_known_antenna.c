@@ -224,22 +224,23 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_nz(
 }
 
 /* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static EKF_CAL_GPS_WIDE flag_t gps_known_antenna_check_lanes(
+static EKF_CAL_GPS_WIDE ekf_cal_gps_flag_t gps_known_antenna_check_lanes(
     int32_t count,
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT],
     const ekf_cal_gps_real_t lever_arm[EKF_CAL_GPS_RESTRICT],
     const ekf_cal_gps_real_t measured[EKF_CAL_GPS_RESTRICT],
-    flag_t codes[EKF_CAL_GPS_RESTRICT EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES])
+    ekf_cal_gps_flag_t codes[EKF_CAL_GPS_RESTRICT EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES])
 {
-    flag_t failed = 0U;
+    ekf_cal_gps_flag_t failed = 0U;
 
     EKF_CAL_GPS_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         gps_known_antenna_input_t in;
         gps_known_antenna_output_t out;
-        const flag_t loaded = gps_known_antenna_load(&x[lane], &lever_arm[lane], &measured[lane],
+        const ekf_cal_gps_flag_t loaded =
+            gps_known_antenna_load(&x[lane], &lever_arm[lane], &measured[lane],
             EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES, &in);
-        const flag_t evaluated = gps_known_antenna_kernel(&in, &out);
+        const ekf_cal_gps_flag_t evaluated = gps_known_antenna_kernel(&in, &out);
 
         codes[lane] = first_failure(loaded, evaluated);
         failed |= codes[lane];
@@ -283,24 +284,25 @@ static ekf_cal_gps_status_t gps_known_antenna_block(
     ekf_cal_gps_real_t jacobian_nz[EKF_CAL_GPS_RESTRICT],
     uint8_t status[EKF_CAL_GPS_RESTRICT])
 {
-    flag_t codes[EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES];
-    const flag_t failed = gps_known_antenna_check_lanes(count, x, lever_arm, measured, codes);
+    ekf_cal_gps_flag_t codes[EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES];
+    const ekf_cal_gps_flag_t failed =
+        gps_known_antenna_check_lanes(count, x, lever_arm, measured, codes);
 
     for (int32_t lane = 0; lane < count; ++lane) {
         status[lane] = (uint8_t)codes[lane];
     }
-    if (failed == (flag_t)EKF_CAL_GPS_OK) {
+    if (failed == (ekf_cal_gps_flag_t)EKF_CAL_GPS_OK) {
         gps_known_antenna_evaluate_lanes(count, x, lever_arm, measured, value, residual,
             jacobian_nz);
     } else {
         for (int32_t lane = 0; lane < count; ++lane) {
-            if (codes[lane] == (flag_t)EKF_CAL_GPS_OK) {
+            if (codes[lane] == (ekf_cal_gps_flag_t)EKF_CAL_GPS_OK) {
                 gps_known_antenna_evaluate_lanes(1, &x[lane], &lever_arm[lane], &measured[lane],
                     &value[lane], &residual[lane], &jacobian_nz[lane]);
             }
         }
     }
-    return (failed == (flag_t)EKF_CAL_GPS_OK) ? EKF_CAL_GPS_OK : EKF_CAL_GPS_PARTIAL;
+    return (failed == (ekf_cal_gps_flag_t)EKF_CAL_GPS_OK) ? EKF_CAL_GPS_OK : EKF_CAL_GPS_PARTIAL;
 }
 
 ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_blocks(

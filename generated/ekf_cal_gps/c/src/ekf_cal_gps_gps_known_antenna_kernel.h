@@ -37,15 +37,15 @@ typedef struct {
 } gps_known_antenna_output_t;
 
 /* Check and copy the inputs of one call. */
-EKF_CAL_GPS_INLINE flag_t gps_known_antenna_load(
+EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t gps_known_antenna_load(
     const ekf_cal_gps_real_t x[],
     const ekf_cal_gps_real_t lever_arm[],
     const ekf_cal_gps_real_t measured[],
     int32_t stride,
     gps_known_antenna_input_t *in)
 {
-    flag_t outside = 0U;
-    flag_t skewed = 0U;
+    ekf_cal_gps_flag_t outside = 0U;
+    ekf_cal_gps_flag_t skewed = 0U;
 
     /* position [m, in l] */
     outside |= take_centred(x[0], 1000000.0, &in->position_x);
@@ -70,8 +70,9 @@ EKF_CAL_GPS_INLINE flag_t gps_known_antenna_load(
     outside |= take_centred(measured[stride], 1000000000.0, &in->measured_y);
     outside |= take_centred(measured[2 * stride], 1000000000.0, &in->measured_z);
 
-    return (outside != 0U) ? (flag_t)EKF_CAL_GPS_RANGE :
-        ((skewed != 0U) ? (flag_t)EKF_CAL_GPS_QNORM : (flag_t)EKF_CAL_GPS_OK);
+    return (outside != 0U) ? (ekf_cal_gps_flag_t)EKF_CAL_GPS_RANGE :
+        ((skewed != 0U) ? (ekf_cal_gps_flag_t)EKF_CAL_GPS_QNORM :
+            (ekf_cal_gps_flag_t)EKF_CAL_GPS_OK);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -98,7 +99,7 @@ EKF_CAL_GPS_INLINE void gps_known_antenna_copy(
 }
 
 /* Position of a GNSS antenna: values and structural non-zeros. */
-EKF_CAL_GPS_INLINE flag_t gps_known_antenna_kernel(
+EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t gps_known_antenna_kernel(
     const gps_known_antenna_input_t *in,
     gps_known_antenna_output_t *out)
 {
@@ -164,7 +165,7 @@ EKF_CAL_GPS_INLINE flag_t gps_known_antenna_kernel(
     /* value z, attitude z */
     out->jacobian[11] = (attitude_21 * in->lever_arm_x) - (attitude_20 * in->lever_arm_y);
 
-    return (flag_t)EKF_CAL_GPS_OK;
+    return (ekf_cal_gps_flag_t)EKF_CAL_GPS_OK;
 }
 
 #endif /* EKF_CAL_GPS_GPS_KNOWN_ANTENNA_KERNEL_H */

@@ -90,20 +90,21 @@ ekf_cal_gps_status_t ekf_cal_gps_local(
 }
 
 /* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static EKF_CAL_GPS_WIDE flag_t local_check_lanes(
+static EKF_CAL_GPS_WIDE ekf_cal_gps_flag_t local_check_lanes(
     int32_t count,
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT],
     const ekf_cal_gps_real_t y[EKF_CAL_GPS_RESTRICT],
-    flag_t codes[EKF_CAL_GPS_RESTRICT EKF_CAL_GPS_LOCAL_LANES])
+    ekf_cal_gps_flag_t codes[EKF_CAL_GPS_RESTRICT EKF_CAL_GPS_LOCAL_LANES])
 {
-    flag_t failed = 0U;
+    ekf_cal_gps_flag_t failed = 0U;
 
     EKF_CAL_GPS_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         local_input_t in;
         local_output_t out;
-        const flag_t loaded = local_load(&x[lane], &y[lane], EKF_CAL_GPS_LOCAL_LANES, &in);
-        const flag_t evaluated = local_kernel(&in, &out);
+        const ekf_cal_gps_flag_t loaded =
+            local_load(&x[lane], &y[lane], EKF_CAL_GPS_LOCAL_LANES, &in);
+        const ekf_cal_gps_flag_t evaluated = local_kernel(&in, &out);
 
         codes[lane] = first_failure(loaded, evaluated);
         failed |= codes[lane];
@@ -137,22 +138,22 @@ static ekf_cal_gps_status_t local_block(
     ekf_cal_gps_real_t value[EKF_CAL_GPS_RESTRICT],
     uint8_t status[EKF_CAL_GPS_RESTRICT])
 {
-    flag_t codes[EKF_CAL_GPS_LOCAL_LANES];
-    const flag_t failed = local_check_lanes(count, x, y, codes);
+    ekf_cal_gps_flag_t codes[EKF_CAL_GPS_LOCAL_LANES];
+    const ekf_cal_gps_flag_t failed = local_check_lanes(count, x, y, codes);
 
     for (int32_t lane = 0; lane < count; ++lane) {
         status[lane] = (uint8_t)codes[lane];
     }
-    if (failed == (flag_t)EKF_CAL_GPS_OK) {
+    if (failed == (ekf_cal_gps_flag_t)EKF_CAL_GPS_OK) {
         local_evaluate_lanes(count, x, y, value);
     } else {
         for (int32_t lane = 0; lane < count; ++lane) {
-            if (codes[lane] == (flag_t)EKF_CAL_GPS_OK) {
+            if (codes[lane] == (ekf_cal_gps_flag_t)EKF_CAL_GPS_OK) {
                 local_evaluate_lanes(1, &x[lane], &y[lane], &value[lane]);
             }
         }
     }
-    return (failed == (flag_t)EKF_CAL_GPS_OK) ? EKF_CAL_GPS_OK : EKF_CAL_GPS_PARTIAL;
+    return (failed == (ekf_cal_gps_flag_t)EKF_CAL_GPS_OK) ? EKF_CAL_GPS_OK : EKF_CAL_GPS_PARTIAL;
 }
 
 ekf_cal_gps_status_t ekf_cal_gps_local_blocks(

@@ -214,23 +214,24 @@ ekf_cal_gps_status_t ekf_cal_gps_local_fix_nz(
 }
 
 /* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static EKF_CAL_GPS_WIDE flag_t local_fix_check_lanes(
+static EKF_CAL_GPS_WIDE ekf_cal_gps_flag_t local_fix_check_lanes(
     int32_t count,
     const ekf_cal_gps_real_t heading[EKF_CAL_GPS_RESTRICT],
     const ekf_cal_gps_real_t fix[EKF_CAL_GPS_RESTRICT],
     const ekf_cal_gps_real_t reference_2[EKF_CAL_GPS_RESTRICT],
     const ekf_cal_gps_real_t covariance_2[EKF_CAL_GPS_RESTRICT],
-    flag_t codes[EKF_CAL_GPS_RESTRICT EKF_CAL_GPS_LOCAL_FIX_LANES])
+    ekf_cal_gps_flag_t codes[EKF_CAL_GPS_RESTRICT EKF_CAL_GPS_LOCAL_FIX_LANES])
 {
-    flag_t failed = 0U;
+    ekf_cal_gps_flag_t failed = 0U;
 
     EKF_CAL_GPS_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         local_fix_input_t in;
         local_fix_output_t out;
-        const flag_t loaded = local_fix_load(&heading[lane], &fix[lane], &reference_2[lane],
+        const ekf_cal_gps_flag_t loaded =
+            local_fix_load(&heading[lane], &fix[lane], &reference_2[lane],
             &covariance_2[lane], EKF_CAL_GPS_LOCAL_FIX_LANES, &in);
-        const flag_t evaluated = local_fix_kernel(&in, &out);
+        const ekf_cal_gps_flag_t evaluated = local_fix_kernel(&in, &out);
 
         codes[lane] = first_failure(loaded, evaluated);
         failed |= codes[lane];
@@ -275,26 +276,26 @@ static ekf_cal_gps_status_t local_fix_block(
     ekf_cal_gps_real_t value_covariance[EKF_CAL_GPS_RESTRICT],
     uint8_t status[EKF_CAL_GPS_RESTRICT])
 {
-    flag_t codes[EKF_CAL_GPS_LOCAL_FIX_LANES];
-    const flag_t failed =
+    ekf_cal_gps_flag_t codes[EKF_CAL_GPS_LOCAL_FIX_LANES];
+    const ekf_cal_gps_flag_t failed =
         local_fix_check_lanes(count, heading, fix, reference_2, covariance_2, codes);
 
     for (int32_t lane = 0; lane < count; ++lane) {
         status[lane] = (uint8_t)codes[lane];
     }
-    if (failed == (flag_t)EKF_CAL_GPS_OK) {
+    if (failed == (ekf_cal_gps_flag_t)EKF_CAL_GPS_OK) {
         local_fix_evaluate_lanes(count, heading, fix, reference_2, covariance_2, value,
             jacobian_fix_nz, value_covariance);
     } else {
         for (int32_t lane = 0; lane < count; ++lane) {
-            if (codes[lane] == (flag_t)EKF_CAL_GPS_OK) {
+            if (codes[lane] == (ekf_cal_gps_flag_t)EKF_CAL_GPS_OK) {
                 local_fix_evaluate_lanes(1, &heading[lane], &fix[lane], &reference_2[lane],
                     &covariance_2[lane], &value[lane], &jacobian_fix_nz[lane],
                     &value_covariance[lane]);
             }
         }
     }
-    return (failed == (flag_t)EKF_CAL_GPS_OK) ? EKF_CAL_GPS_OK : EKF_CAL_GPS_PARTIAL;
+    return (failed == (ekf_cal_gps_flag_t)EKF_CAL_GPS_OK) ? EKF_CAL_GPS_OK : EKF_CAL_GPS_PARTIAL;
 }
 
 ekf_cal_gps_status_t ekf_cal_gps_local_fix_blocks(

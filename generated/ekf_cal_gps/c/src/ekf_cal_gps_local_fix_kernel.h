@@ -39,7 +39,7 @@ typedef struct {
 } local_fix_output_t;
 
 /* Check and copy the inputs of one call. */
-EKF_CAL_GPS_INLINE flag_t local_fix_load(
+EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t local_fix_load(
     const ekf_cal_gps_real_t heading[],
     const ekf_cal_gps_real_t fix[],
     const ekf_cal_gps_real_t reference_2[],
@@ -47,7 +47,7 @@ EKF_CAL_GPS_INLINE flag_t local_fix_load(
     int32_t stride,
     local_fix_input_t *in)
 {
-    flag_t outside = 0U;
+    ekf_cal_gps_flag_t outside = 0U;
 
     /* heading [rad, g -> l] */
     outside |= take_centred(heading[0], 3.141592653589793, &in->heading);
@@ -73,7 +73,8 @@ EKF_CAL_GPS_INLINE flag_t local_fix_load(
     outside |= take_centred(covariance_2[7 * stride], 1000000000000.0, &in->covariance_2_7);
     outside |= take_centred(covariance_2[8 * stride], 1000000000000.0, &in->covariance_2_8);
 
-    return (outside != 0U) ? (flag_t)EKF_CAL_GPS_RANGE : (flag_t)EKF_CAL_GPS_OK;
+    return (outside != 0U) ? (ekf_cal_gps_flag_t)EKF_CAL_GPS_RANGE :
+        (ekf_cal_gps_flag_t)EKF_CAL_GPS_OK;
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -104,7 +105,8 @@ EKF_CAL_GPS_INLINE void local_fix_copy(
 }
 
 /* Local-level position of a geodetic fix: values and structural non-zeros. */
-EKF_CAL_GPS_INLINE flag_t local_fix_kernel(const local_fix_input_t *in, local_fix_output_t *out)
+EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t
+    local_fix_kernel(const local_fix_input_t *in, local_fix_output_t *out)
 {
     const ekf_cal_gps_real_t heading_cosine = cos(in->heading);
     const ekf_cal_gps_real_t heading_sine = sin(in->heading);
@@ -310,7 +312,7 @@ EKF_CAL_GPS_INLINE flag_t local_fix_kernel(const local_fix_input_t *in, local_fi
     out->value_covariance[8] = (up_by_fix_x_2 * value_covariance_half_6) +
         (up_by_fix_y * value_covariance_half_7) + (up_by_fix_z_2 * value_covariance_half_8);
 
-    return (flag_t)EKF_CAL_GPS_OK;
+    return (ekf_cal_gps_flag_t)EKF_CAL_GPS_OK;
 }
 
 #endif /* EKF_CAL_GPS_LOCAL_FIX_KERNEL_H */

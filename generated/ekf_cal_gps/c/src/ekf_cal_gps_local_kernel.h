@@ -65,14 +65,14 @@ typedef struct {
 } local_output_t;
 
 /* Check and copy the inputs of one call. */
-EKF_CAL_GPS_INLINE flag_t local_load(
+EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t local_load(
     const ekf_cal_gps_real_t x[],
     const ekf_cal_gps_real_t y[],
     int32_t stride,
     local_input_t *in)
 {
-    flag_t outside = 0U;
-    flag_t skewed = 0U;
+    ekf_cal_gps_flag_t outside = 0U;
+    ekf_cal_gps_flag_t skewed = 0U;
 
     /* position [m, in l] */
     outside |= take_centred(x[0], 1000000.0, &in->position_x);
@@ -150,8 +150,9 @@ EKF_CAL_GPS_INLINE flag_t local_load(
     outside |= take_centred(y[20 * stride], 50.0, &in->antenna_y_2);
     outside |= take_centred(y[21 * stride], 50.0, &in->antenna_z_2);
 
-    return (outside != 0U) ? (flag_t)EKF_CAL_GPS_RANGE :
-        ((skewed != 0U) ? (flag_t)EKF_CAL_GPS_QNORM : (flag_t)EKF_CAL_GPS_OK);
+    return (outside != 0U) ? (ekf_cal_gps_flag_t)EKF_CAL_GPS_RANGE :
+        ((skewed != 0U) ? (ekf_cal_gps_flag_t)EKF_CAL_GPS_QNORM :
+            (ekf_cal_gps_flag_t)EKF_CAL_GPS_OK);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -208,7 +209,7 @@ EKF_CAL_GPS_INLINE void local_copy(
 }
 
 /* Error between two states: values and structural non-zeros. */
-EKF_CAL_GPS_INLINE flag_t local_kernel(const local_input_t *in, local_output_t *out)
+EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t local_kernel(const local_input_t *in, local_output_t *out)
 {
     const ekf_cal_gps_real_t attitude_log_of_w = (in->attitude_w * in->attitude_w_2) +
         (in->attitude_x * in->attitude_x_2) +
@@ -272,7 +273,7 @@ EKF_CAL_GPS_INLINE flag_t local_kernel(const local_input_t *in, local_output_t *
     out->value[19] = in->antenna_y_2 - in->antenna_y;  /* antenna y */
     out->value[20] = in->antenna_z_2 - in->antenna_z;  /* antenna z */
 
-    return (flag_t)EKF_CAL_GPS_OK;
+    return (ekf_cal_gps_flag_t)EKF_CAL_GPS_OK;
 }
 
 #endif /* EKF_CAL_GPS_LOCAL_KERNEL_H */

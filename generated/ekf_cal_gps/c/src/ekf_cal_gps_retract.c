@@ -92,20 +92,21 @@ ekf_cal_gps_status_t ekf_cal_gps_retract(
 }
 
 /* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static EKF_CAL_GPS_WIDE flag_t retract_check_lanes(
+static EKF_CAL_GPS_WIDE ekf_cal_gps_flag_t retract_check_lanes(
     int32_t count,
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT],
     const ekf_cal_gps_real_t d[EKF_CAL_GPS_RESTRICT],
-    flag_t codes[EKF_CAL_GPS_RESTRICT EKF_CAL_GPS_RETRACT_LANES])
+    ekf_cal_gps_flag_t codes[EKF_CAL_GPS_RESTRICT EKF_CAL_GPS_RETRACT_LANES])
 {
-    flag_t failed = 0U;
+    ekf_cal_gps_flag_t failed = 0U;
 
     EKF_CAL_GPS_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         retract_input_t in;
         retract_output_t out;
-        const flag_t loaded = retract_load(&x[lane], &d[lane], EKF_CAL_GPS_RETRACT_LANES, &in);
-        const flag_t evaluated = retract_kernel(&in, &out);
+        const ekf_cal_gps_flag_t loaded =
+            retract_load(&x[lane], &d[lane], EKF_CAL_GPS_RETRACT_LANES, &in);
+        const ekf_cal_gps_flag_t evaluated = retract_kernel(&in, &out);
 
         codes[lane] = first_failure(loaded, evaluated);
         failed |= codes[lane];
@@ -139,22 +140,22 @@ static ekf_cal_gps_status_t retract_block(
     ekf_cal_gps_real_t value[EKF_CAL_GPS_RESTRICT],
     uint8_t status[EKF_CAL_GPS_RESTRICT])
 {
-    flag_t codes[EKF_CAL_GPS_RETRACT_LANES];
-    const flag_t failed = retract_check_lanes(count, x, d, codes);
+    ekf_cal_gps_flag_t codes[EKF_CAL_GPS_RETRACT_LANES];
+    const ekf_cal_gps_flag_t failed = retract_check_lanes(count, x, d, codes);
 
     for (int32_t lane = 0; lane < count; ++lane) {
         status[lane] = (uint8_t)codes[lane];
     }
-    if (failed == (flag_t)EKF_CAL_GPS_OK) {
+    if (failed == (ekf_cal_gps_flag_t)EKF_CAL_GPS_OK) {
         retract_evaluate_lanes(count, x, d, value);
     } else {
         for (int32_t lane = 0; lane < count; ++lane) {
-            if (codes[lane] == (flag_t)EKF_CAL_GPS_OK) {
+            if (codes[lane] == (ekf_cal_gps_flag_t)EKF_CAL_GPS_OK) {
                 retract_evaluate_lanes(1, &x[lane], &d[lane], &value[lane]);
             }
         }
     }
-    return (failed == (flag_t)EKF_CAL_GPS_OK) ? EKF_CAL_GPS_OK : EKF_CAL_GPS_PARTIAL;
+    return (failed == (ekf_cal_gps_flag_t)EKF_CAL_GPS_OK) ? EKF_CAL_GPS_OK : EKF_CAL_GPS_PARTIAL;
 }
 
 ekf_cal_gps_status_t ekf_cal_gps_retract_blocks(

@@ -64,14 +64,14 @@ typedef struct {
 } retract_output_t;
 
 /* Check and copy the inputs of one call. */
-EKF_CAL_GPS_INLINE flag_t retract_load(
+EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t retract_load(
     const ekf_cal_gps_real_t x[],
     const ekf_cal_gps_real_t d[],
     int32_t stride,
     retract_input_t *in)
 {
-    flag_t outside = 0U;
-    flag_t skewed = 0U;
+    ekf_cal_gps_flag_t outside = 0U;
+    ekf_cal_gps_flag_t skewed = 0U;
 
     /* position [m, in l] */
     outside |= take_centred(x[0], 1000000.0, &in->position_x);
@@ -146,8 +146,9 @@ EKF_CAL_GPS_INLINE flag_t retract_load(
     outside |= take_centred(d[19 * stride], 1000000000.0, &in->antenna_y_2);
     outside |= take_centred(d[20 * stride], 1000000000.0, &in->antenna_z_2);
 
-    return (outside != 0U) ? (flag_t)EKF_CAL_GPS_RANGE :
-        ((skewed != 0U) ? (flag_t)EKF_CAL_GPS_QNORM : (flag_t)EKF_CAL_GPS_OK);
+    return (outside != 0U) ? (ekf_cal_gps_flag_t)EKF_CAL_GPS_RANGE :
+        ((skewed != 0U) ? (ekf_cal_gps_flag_t)EKF_CAL_GPS_QNORM :
+            (ekf_cal_gps_flag_t)EKF_CAL_GPS_OK);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -203,7 +204,8 @@ EKF_CAL_GPS_INLINE void retract_copy(
 }
 
 /* State moved by an error: values and structural non-zeros. */
-EKF_CAL_GPS_INLINE flag_t retract_kernel(const retract_input_t *in, retract_output_t *out)
+EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t
+    retract_kernel(const retract_input_t *in, retract_output_t *out)
 {
     const ekf_cal_gps_real_t attitude_exp_angle_squared = (in->attitude_x_2 * in->attitude_x_2) +
         (in->attitude_y_2 * in->attitude_y_2) + (in->attitude_z_2 * in->attitude_z_2);
@@ -264,7 +266,7 @@ EKF_CAL_GPS_INLINE flag_t retract_kernel(const retract_input_t *in, retract_outp
     out->value[20] = in->antenna_y + in->antenna_y_2;  /* antenna y */
     out->value[21] = in->antenna_z + in->antenna_z_2;  /* antenna z */
 
-    return (flag_t)EKF_CAL_GPS_OK;
+    return (ekf_cal_gps_flag_t)EKF_CAL_GPS_OK;
 }
 
 #endif /* EKF_CAL_GPS_RETRACT_KERNEL_H */

@@ -48,14 +48,14 @@
 
 /* Flags and status codes inside kernels: an integer as wide as ekf_cal_online_real_t, so that a vector
    register holds as many of one as of the other. */
-typedef uint64_t flag_t;
+typedef uint64_t ekf_cal_online_flag_t;
 
 /* The status of the step that failed first. */
-EKF_CAL_ONLINE_INLINE flag_t first_failure(
-    flag_t earlier,
-    flag_t later)
+EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t first_failure(
+    ekf_cal_online_flag_t earlier,
+    ekf_cal_online_flag_t later)
 {
-    return (earlier != (flag_t)EKF_CAL_ONLINE_OK) ? earlier : later;
+    return (earlier != (ekf_cal_online_flag_t)EKF_CAL_ONLINE_OK) ? earlier : later;
 }
 
 /* True when a value is a number inside [-bound, bound]; false for NaN. */
@@ -73,7 +73,7 @@ EKF_CAL_ONLINE_INLINE bool is_centred(
 
 /* Copy a value into [-bound, bound]. Outside it, or for NaN, zero stands for it and 1 is
    returned. */
-EKF_CAL_ONLINE_INLINE flag_t take_centred(
+EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t take_centred(
     ekf_cal_online_real_t value,
     ekf_cal_online_real_t bound,
     ekf_cal_online_real_t *copy)
@@ -81,11 +81,11 @@ EKF_CAL_ONLINE_INLINE flag_t take_centred(
     const bool within = is_centred(value, bound);
 
     *copy = within ? value : 0.0;
-    return within ? (flag_t)0U : (flag_t)1U;
+    return within ? (ekf_cal_online_flag_t)0U : (ekf_cal_online_flag_t)1U;
 }
 
 /* 1 when a quaternion is not of unit norm, else 0. */
-EKF_CAL_ONLINE_INLINE flag_t is_skewed_quaternion(
+EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t is_skewed_quaternion(
     ekf_cal_online_real_t q0,
     ekf_cal_online_real_t q1,
     ekf_cal_online_real_t q2,
@@ -94,7 +94,7 @@ EKF_CAL_ONLINE_INLINE flag_t is_skewed_quaternion(
 {
     const ekf_cal_online_real_t excess = ((q0 * q0) + (q1 * q1) + (q2 * q2) + (q3 * q3)) - 1.0;
 
-    return (fabs(excess) <= tolerance) ? (flag_t)0U : (flag_t)1U;
+    return (fabs(excess) <= tolerance) ? (ekf_cal_online_flag_t)0U : (ekf_cal_online_flag_t)1U;
 }
 
 /* Lay rows of epochs side by side: element k of epoch lane at [k * lanes + lane]. Two by two, so

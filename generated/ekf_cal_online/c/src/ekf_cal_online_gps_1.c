@@ -310,22 +310,22 @@ ekf_cal_online_status_t ekf_cal_online_gps_1_nz(
 }
 
 /* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static EKF_CAL_ONLINE_WIDE flag_t gps_1_check_lanes(
+static EKF_CAL_ONLINE_WIDE ekf_cal_online_flag_t gps_1_check_lanes(
     int32_t count,
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT],
     const ekf_cal_online_real_t origin[EKF_CAL_ONLINE_RESTRICT],
     const ekf_cal_online_real_t measured[EKF_CAL_ONLINE_RESTRICT],
-    flag_t codes[EKF_CAL_ONLINE_RESTRICT EKF_CAL_ONLINE_GPS_1_LANES])
+    ekf_cal_online_flag_t codes[EKF_CAL_ONLINE_RESTRICT EKF_CAL_ONLINE_GPS_1_LANES])
 {
-    flag_t failed = 0U;
+    ekf_cal_online_flag_t failed = 0U;
 
     EKF_CAL_ONLINE_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         gps_1_input_t in;
         gps_1_output_t out;
-        const flag_t loaded =
+        const ekf_cal_online_flag_t loaded =
             gps_1_load(&x[lane], &origin[lane], &measured[lane], EKF_CAL_ONLINE_GPS_1_LANES, &in);
-        const flag_t evaluated = gps_1_kernel(&in, &out);
+        const ekf_cal_online_flag_t evaluated = gps_1_kernel(&in, &out);
 
         codes[lane] = first_failure(loaded, evaluated);
         failed |= codes[lane];
@@ -370,24 +370,25 @@ static ekf_cal_online_status_t gps_1_block(
     ekf_cal_online_real_t jacobian_origin_nz[EKF_CAL_ONLINE_RESTRICT],
     uint8_t status[EKF_CAL_ONLINE_RESTRICT])
 {
-    flag_t codes[EKF_CAL_ONLINE_GPS_1_LANES];
-    const flag_t failed = gps_1_check_lanes(count, x, origin, measured, codes);
+    ekf_cal_online_flag_t codes[EKF_CAL_ONLINE_GPS_1_LANES];
+    const ekf_cal_online_flag_t failed = gps_1_check_lanes(count, x, origin, measured, codes);
 
     for (int32_t lane = 0; lane < count; ++lane) {
         status[lane] = (uint8_t)codes[lane];
     }
-    if (failed == (flag_t)EKF_CAL_ONLINE_OK) {
+    if (failed == (ekf_cal_online_flag_t)EKF_CAL_ONLINE_OK) {
         gps_1_evaluate_lanes(count, x, origin, measured, value, residual, jacobian_nz,
             jacobian_origin_nz);
     } else {
         for (int32_t lane = 0; lane < count; ++lane) {
-            if (codes[lane] == (flag_t)EKF_CAL_ONLINE_OK) {
+            if (codes[lane] == (ekf_cal_online_flag_t)EKF_CAL_ONLINE_OK) {
                 gps_1_evaluate_lanes(1, &x[lane], &origin[lane], &measured[lane], &value[lane],
                     &residual[lane], &jacobian_nz[lane], &jacobian_origin_nz[lane]);
             }
         }
     }
-    return (failed == (flag_t)EKF_CAL_ONLINE_OK) ? EKF_CAL_ONLINE_OK : EKF_CAL_ONLINE_PARTIAL;
+    return (failed == (ekf_cal_online_flag_t)EKF_CAL_ONLINE_OK) ? EKF_CAL_ONLINE_OK :
+        EKF_CAL_ONLINE_PARTIAL;
 }
 
 ekf_cal_online_status_t ekf_cal_online_gps_1_blocks(

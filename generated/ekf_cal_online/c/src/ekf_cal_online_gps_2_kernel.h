@@ -41,15 +41,15 @@ typedef struct {
 } gps_2_output_t;
 
 /* Check and copy the inputs of one call. */
-EKF_CAL_ONLINE_INLINE flag_t gps_2_load(
+EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t gps_2_load(
     const ekf_cal_online_real_t x[],
     const ekf_cal_online_real_t origin[],
     const ekf_cal_online_real_t measured[],
     int32_t stride,
     gps_2_input_t *in)
 {
-    flag_t outside = 0U;
-    flag_t skewed = 0U;
+    ekf_cal_online_flag_t outside = 0U;
+    ekf_cal_online_flag_t skewed = 0U;
 
     /* position [m, in l] */
     outside |= take_centred(x[0], 1000000.0, &in->position_x);
@@ -82,8 +82,9 @@ EKF_CAL_ONLINE_INLINE flag_t gps_2_load(
     outside |= take_centred(measured[stride], 1000000000.0, &in->measured_y);
     outside |= take_centred(measured[2 * stride], 1000000000.0, &in->measured_z);
 
-    return (outside != 0U) ? (flag_t)EKF_CAL_ONLINE_RANGE :
-        ((skewed != 0U) ? (flag_t)EKF_CAL_ONLINE_QNORM : (flag_t)EKF_CAL_ONLINE_OK);
+    return (outside != 0U) ? (ekf_cal_online_flag_t)EKF_CAL_ONLINE_RANGE :
+        ((skewed != 0U) ? (ekf_cal_online_flag_t)EKF_CAL_ONLINE_QNORM :
+            (ekf_cal_online_flag_t)EKF_CAL_ONLINE_OK);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -114,7 +115,8 @@ EKF_CAL_ONLINE_INLINE void gps_2_copy(
 }
 
 /* Position of a GNSS antenna: values and structural non-zeros. */
-EKF_CAL_ONLINE_INLINE flag_t gps_2_kernel(const gps_2_input_t *in, gps_2_output_t *out)
+EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t
+    gps_2_kernel(const gps_2_input_t *in, gps_2_output_t *out)
 {
     const ekf_cal_online_real_t attitude_twice_x = 2.0 * in->attitude_x;
     const ekf_cal_online_real_t attitude_twice_y = 2.0 * in->attitude_y;
@@ -222,7 +224,7 @@ EKF_CAL_ONLINE_INLINE flag_t gps_2_kernel(const gps_2_input_t *in, gps_2_output_
     out->jacobian_origin[1] = 1.0;  /* value y, origin y */
     out->jacobian_origin[2] = 1.0;  /* value z, origin z */
 
-    return (flag_t)EKF_CAL_ONLINE_OK;
+    return (ekf_cal_online_flag_t)EKF_CAL_ONLINE_OK;
 }
 
 #endif /* EKF_CAL_ONLINE_GPS_2_KERNEL_H */

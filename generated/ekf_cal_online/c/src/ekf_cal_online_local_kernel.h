@@ -73,14 +73,14 @@ typedef struct {
 } local_output_t;
 
 /* Check and copy the inputs of one call. */
-EKF_CAL_ONLINE_INLINE flag_t local_load(
+EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t local_load(
     const ekf_cal_online_real_t x[],
     const ekf_cal_online_real_t y[],
     int32_t stride,
     local_input_t *in)
 {
-    flag_t outside = 0U;
-    flag_t skewed = 0U;
+    ekf_cal_online_flag_t outside = 0U;
+    ekf_cal_online_flag_t skewed = 0U;
 
     /* position [m, in l] */
     outside |= take_centred(x[0], 1000000.0, &in->position_x);
@@ -174,8 +174,9 @@ EKF_CAL_ONLINE_INLINE flag_t local_load(
     outside |= take_centred(y[24 * stride], 50.0, &in->antenna_2_y_2);
     outside |= take_centred(y[25 * stride], 50.0, &in->antenna_2_z_2);
 
-    return (outside != 0U) ? (flag_t)EKF_CAL_ONLINE_RANGE :
-        ((skewed != 0U) ? (flag_t)EKF_CAL_ONLINE_QNORM : (flag_t)EKF_CAL_ONLINE_OK);
+    return (outside != 0U) ? (ekf_cal_online_flag_t)EKF_CAL_ONLINE_RANGE :
+        ((skewed != 0U) ? (ekf_cal_online_flag_t)EKF_CAL_ONLINE_QNORM :
+            (ekf_cal_online_flag_t)EKF_CAL_ONLINE_OK);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -240,7 +241,8 @@ EKF_CAL_ONLINE_INLINE void local_copy(
 }
 
 /* Error between two states: values and structural non-zeros. */
-EKF_CAL_ONLINE_INLINE flag_t local_kernel(const local_input_t *in, local_output_t *out)
+EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t
+    local_kernel(const local_input_t *in, local_output_t *out)
 {
     const ekf_cal_online_real_t attitude_log_of_w = (in->attitude_w * in->attitude_w_2) +
         (in->attitude_x * in->attitude_x_2) +
@@ -312,7 +314,7 @@ EKF_CAL_ONLINE_INLINE flag_t local_kernel(const local_input_t *in, local_output_
     out->value[23] = in->antenna_2_y_2 - in->antenna_2_y;  /* antenna_2 y */
     out->value[24] = in->antenna_2_z_2 - in->antenna_2_z;  /* antenna_2 z */
 
-    return (flag_t)EKF_CAL_ONLINE_OK;
+    return (ekf_cal_online_flag_t)EKF_CAL_ONLINE_OK;
 }
 
 #endif /* EKF_CAL_ONLINE_LOCAL_KERNEL_H */

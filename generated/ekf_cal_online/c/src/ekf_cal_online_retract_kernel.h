@@ -72,14 +72,14 @@ typedef struct {
 } retract_output_t;
 
 /* Check and copy the inputs of one call. */
-EKF_CAL_ONLINE_INLINE flag_t retract_load(
+EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t retract_load(
     const ekf_cal_online_real_t x[],
     const ekf_cal_online_real_t d[],
     int32_t stride,
     retract_input_t *in)
 {
-    flag_t outside = 0U;
-    flag_t skewed = 0U;
+    ekf_cal_online_flag_t outside = 0U;
+    ekf_cal_online_flag_t skewed = 0U;
 
     /* position [m, in l] */
     outside |= take_centred(x[0], 1000000.0, &in->position_x);
@@ -170,8 +170,9 @@ EKF_CAL_ONLINE_INLINE flag_t retract_load(
     outside |= take_centred(d[23 * stride], 1000000000.0, &in->antenna_2_y_2);
     outside |= take_centred(d[24 * stride], 1000000000.0, &in->antenna_2_z_2);
 
-    return (outside != 0U) ? (flag_t)EKF_CAL_ONLINE_RANGE :
-        ((skewed != 0U) ? (flag_t)EKF_CAL_ONLINE_QNORM : (flag_t)EKF_CAL_ONLINE_OK);
+    return (outside != 0U) ? (ekf_cal_online_flag_t)EKF_CAL_ONLINE_RANGE :
+        ((skewed != 0U) ? (ekf_cal_online_flag_t)EKF_CAL_ONLINE_QNORM :
+            (ekf_cal_online_flag_t)EKF_CAL_ONLINE_OK);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -235,7 +236,8 @@ EKF_CAL_ONLINE_INLINE void retract_copy(
 }
 
 /* State moved by an error: values and structural non-zeros. */
-EKF_CAL_ONLINE_INLINE flag_t retract_kernel(const retract_input_t *in, retract_output_t *out)
+EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t
+    retract_kernel(const retract_input_t *in, retract_output_t *out)
 {
     const ekf_cal_online_real_t attitude_exp_angle_squared = (in->attitude_x_2 * in->attitude_x_2) +
         (in->attitude_y_2 * in->attitude_y_2) + (in->attitude_z_2 * in->attitude_z_2);
@@ -303,7 +305,7 @@ EKF_CAL_ONLINE_INLINE flag_t retract_kernel(const retract_input_t *in, retract_o
     out->value[24] = in->antenna_2_y + in->antenna_2_y_2;  /* antenna_2 y */
     out->value[25] = in->antenna_2_z + in->antenna_2_z_2;  /* antenna_2 z */
 
-    return (flag_t)EKF_CAL_ONLINE_OK;
+    return (ekf_cal_online_flag_t)EKF_CAL_ONLINE_OK;
 }
 
 #endif /* EKF_CAL_ONLINE_RETRACT_KERNEL_H */

@@ -48,14 +48,15 @@
 
 /* Flags and status codes inside kernels: an integer as wide as farrell_tightly_coupled_real_t, so that a vector
    register holds as many of one as of the other. */
-typedef uint64_t flag_t;
+typedef uint64_t farrell_tightly_coupled_flag_t;
 
 /* The status of the step that failed first. */
-FARRELL_TIGHTLY_COUPLED_INLINE flag_t first_failure(
-    flag_t earlier,
-    flag_t later)
+FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t first_failure(
+    farrell_tightly_coupled_flag_t earlier,
+    farrell_tightly_coupled_flag_t later)
 {
-    return (earlier != (flag_t)FARRELL_TIGHTLY_COUPLED_OK) ? earlier : later;
+    return (earlier != (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) ? earlier :
+        later;
 }
 
 /* True when a value is a number inside a closed range; false for NaN. */
@@ -86,7 +87,7 @@ FARRELL_TIGHTLY_COUPLED_INLINE bool is_centred(
 
 /* Copy a value into its range. Outside it, or for NaN, the lower end stands for it and 1 is
    returned. */
-FARRELL_TIGHTLY_COUPLED_INLINE flag_t take_value(
+FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t take_value(
     farrell_tightly_coupled_real_t value,
     farrell_tightly_coupled_real_t lower,
     farrell_tightly_coupled_real_t upper,
@@ -95,12 +96,12 @@ FARRELL_TIGHTLY_COUPLED_INLINE flag_t take_value(
     const bool within = is_within(value, lower, upper);
 
     *copy = within ? value : lower;
-    return within ? (flag_t)0U : (flag_t)1U;
+    return within ? (farrell_tightly_coupled_flag_t)0U : (farrell_tightly_coupled_flag_t)1U;
 }
 
 /* Copy a value into [-bound, bound]. Outside it, or for NaN, zero stands for it and 1 is
    returned. */
-FARRELL_TIGHTLY_COUPLED_INLINE flag_t take_centred(
+FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t take_centred(
     farrell_tightly_coupled_real_t value,
     farrell_tightly_coupled_real_t bound,
     farrell_tightly_coupled_real_t *copy)
@@ -108,11 +109,11 @@ FARRELL_TIGHTLY_COUPLED_INLINE flag_t take_centred(
     const bool within = is_centred(value, bound);
 
     *copy = within ? value : 0.0;
-    return within ? (flag_t)0U : (flag_t)1U;
+    return within ? (farrell_tightly_coupled_flag_t)0U : (farrell_tightly_coupled_flag_t)1U;
 }
 
 /* 1 when a quaternion is not of unit norm, else 0. */
-FARRELL_TIGHTLY_COUPLED_INLINE flag_t is_skewed_quaternion(
+FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t is_skewed_quaternion(
     farrell_tightly_coupled_real_t q0,
     farrell_tightly_coupled_real_t q1,
     farrell_tightly_coupled_real_t q2,
@@ -122,12 +123,13 @@ FARRELL_TIGHTLY_COUPLED_INLINE flag_t is_skewed_quaternion(
     const farrell_tightly_coupled_real_t excess = ((q0 * q0) + (q1 * q1) + (q2 * q2) + (q3 * q3)) -
         1.0;
 
-    return (fabs(excess) <= tolerance) ? (flag_t)0U : (flag_t)1U;
+    return (fabs(excess) <= tolerance) ? (farrell_tightly_coupled_flag_t)0U :
+        (farrell_tightly_coupled_flag_t)1U;
 }
 
 /* 1 when a 3 by 3 matrix is no rotation, else 0: the first two columns are orthonormal and the
    third is their cross product, so that a reflection is refused as well. */
-FARRELL_TIGHTLY_COUPLED_INLINE flag_t is_skewed_matrix(
+FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t is_skewed_matrix(
     farrell_tightly_coupled_real_t m00,
     farrell_tightly_coupled_real_t m01,
     farrell_tightly_coupled_real_t m02,
@@ -148,7 +150,8 @@ FARRELL_TIGHTLY_COUPLED_INLINE flag_t is_skewed_matrix(
 
     return ((fabs(e00) <= tolerance) && (fabs(e11) <= tolerance) &&
             (fabs(e01) <= tolerance) && (fabs(e02) <= tolerance) &&
-            (fabs(e12) <= tolerance) && (fabs(e22) <= tolerance)) ? (flag_t)0U : (flag_t)1U;
+            (fabs(e12) <= tolerance) && (fabs(e22) <= tolerance)) ?
+                (farrell_tightly_coupled_flag_t)0U : (farrell_tightly_coupled_flag_t)1U;
 }
 
 /* Lay rows of epochs side by side: element k of epoch lane at [k * lanes + lane]. Two by two, so

@@ -83,21 +83,22 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_local(
 }
 
 /* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static FARRELL_TIGHTLY_COUPLED_WIDE flag_t local_check_lanes(
+static FARRELL_TIGHTLY_COUPLED_WIDE farrell_tightly_coupled_flag_t local_check_lanes(
     int32_t count,
     const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT],
     const farrell_tightly_coupled_real_t y[FARRELL_TIGHTLY_COUPLED_RESTRICT],
-    flag_t codes[FARRELL_TIGHTLY_COUPLED_RESTRICT FARRELL_TIGHTLY_COUPLED_LOCAL_LANES])
+    farrell_tightly_coupled_flag_t
+        codes[FARRELL_TIGHTLY_COUPLED_RESTRICT FARRELL_TIGHTLY_COUPLED_LOCAL_LANES])
 {
-    flag_t failed = 0U;
+    farrell_tightly_coupled_flag_t failed = 0U;
 
     FARRELL_TIGHTLY_COUPLED_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         local_input_t in;
         local_output_t out;
-        const flag_t loaded =
+        const farrell_tightly_coupled_flag_t loaded =
             local_load(&x[lane], &y[lane], FARRELL_TIGHTLY_COUPLED_LOCAL_LANES, &in);
-        const flag_t evaluated = local_kernel(&in, &out);
+        const farrell_tightly_coupled_flag_t evaluated = local_kernel(&in, &out);
 
         codes[lane] = first_failure(loaded, evaluated);
         failed |= codes[lane];
@@ -131,23 +132,23 @@ static farrell_tightly_coupled_status_t local_block(
     farrell_tightly_coupled_real_t value[FARRELL_TIGHTLY_COUPLED_RESTRICT],
     uint8_t status[FARRELL_TIGHTLY_COUPLED_RESTRICT])
 {
-    flag_t codes[FARRELL_TIGHTLY_COUPLED_LOCAL_LANES];
-    const flag_t failed = local_check_lanes(count, x, y, codes);
+    farrell_tightly_coupled_flag_t codes[FARRELL_TIGHTLY_COUPLED_LOCAL_LANES];
+    const farrell_tightly_coupled_flag_t failed = local_check_lanes(count, x, y, codes);
 
     for (int32_t lane = 0; lane < count; ++lane) {
         status[lane] = (uint8_t)codes[lane];
     }
-    if (failed == (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+    if (failed == (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
         local_evaluate_lanes(count, x, y, value);
     } else {
         for (int32_t lane = 0; lane < count; ++lane) {
-            if (codes[lane] == (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+            if (codes[lane] == (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
                 local_evaluate_lanes(1, &x[lane], &y[lane], &value[lane]);
             }
         }
     }
-    return (failed == (flag_t)FARRELL_TIGHTLY_COUPLED_OK) ? FARRELL_TIGHTLY_COUPLED_OK :
-        FARRELL_TIGHTLY_COUPLED_PARTIAL;
+    return (failed == (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) ?
+        FARRELL_TIGHTLY_COUPLED_OK : FARRELL_TIGHTLY_COUPLED_PARTIAL;
 }
 
 farrell_tightly_coupled_status_t farrell_tightly_coupled_local_blocks(

@@ -57,14 +57,14 @@ typedef struct {
 } local_output_t;
 
 /* Check and copy the inputs of one call. */
-FARRELL_TIGHTLY_COUPLED_INLINE flag_t local_load(
+FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t local_load(
     const farrell_tightly_coupled_real_t x[],
     const farrell_tightly_coupled_real_t y[],
     int32_t stride,
     local_input_t *in)
 {
-    flag_t outside = 0U;
-    flag_t skewed = 0U;
+    farrell_tightly_coupled_flag_t outside = 0U;
+    farrell_tightly_coupled_flag_t skewed = 0U;
 
     /* dp [m, in n] */
     outside |= take_centred(x[0], 1000000.0, &in->dp_x);
@@ -132,8 +132,10 @@ FARRELL_TIGHTLY_COUPLED_INLINE flag_t local_load(
     outside |= take_centred(y[16 * stride], 1000000000.0, &in->x_g_y_2);
     outside |= take_centred(y[17 * stride], 1000000000.0, &in->x_g_z_2);
 
-    return (outside != 0U) ? (flag_t)FARRELL_TIGHTLY_COUPLED_RANGE : ((skewed != 0U) ?
-        (flag_t)FARRELL_TIGHTLY_COUPLED_QNORM : (flag_t)FARRELL_TIGHTLY_COUPLED_OK);
+    return (outside != 0U) ? (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_RANGE :
+        ((skewed != 0U) ?
+        (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_QNORM :
+            (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -182,7 +184,8 @@ FARRELL_TIGHTLY_COUPLED_INLINE void local_copy(
 }
 
 /* Error between two states: values and structural non-zeros. */
-FARRELL_TIGHTLY_COUPLED_INLINE flag_t local_kernel(const local_input_t *in, local_output_t *out)
+FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t
+    local_kernel(const local_input_t *in, local_output_t *out)
 {
     const farrell_tightly_coupled_real_t drho_log_of_w = (in->drho_w * in->drho_w_2) +
         (in->drho_x * in->drho_x_2) + ((in->drho_y * in->drho_y_2) + (in->drho_z * in->drho_z_2));
@@ -235,7 +238,7 @@ FARRELL_TIGHTLY_COUPLED_INLINE flag_t local_kernel(const local_input_t *in, loca
     out->value[15] = in->x_g_y_2 - in->x_g_y;  /* x_g y */
     out->value[16] = in->x_g_z_2 - in->x_g_z;  /* x_g z */
 
-    return (flag_t)FARRELL_TIGHTLY_COUPLED_OK;
+    return (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK;
 }
 
 #endif /* FARRELL_TIGHTLY_COUPLED_LOCAL_KERNEL_H */

@@ -19,7 +19,7 @@ typedef struct {
     farrell_tightly_coupled_real_t value[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LANES];
     farrell_tightly_coupled_real_t residual[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LANES];
     farrell_tightly_coupled_real_t jacobian[4 * FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LANES];
-    flag_t status[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LANES];
+    farrell_tightly_coupled_flag_t status[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LANES];
 } pseudorange_block_t;
 
 /* Store the non-zeros of value, a stride apart. */
@@ -116,9 +116,9 @@ static FARRELL_TIGHTLY_COUPLED_WIDE void pseudorange_lanes(
     for (int32_t lane = 0; lane < count; ++lane) {
         pseudorange_item_t item;
         pseudorange_output_t out;
-        const flag_t loaded =
+        const farrell_tightly_coupled_flag_t loaded =
             pseudorange_load_item(&satellite_position[3 * lane], &measured[lane], &item);
-        const flag_t evaluated = pseudorange_item(in, shared, &item, &out);
+        const farrell_tightly_coupled_flag_t evaluated = pseudorange_item(in, shared, &item, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         pseudorange_put_value(&out, &block->value[lane]);
@@ -141,9 +141,9 @@ static FARRELL_TIGHTLY_COUPLED_WIDE void pseudorange_lanes_value(
     for (int32_t lane = 0; lane < count; ++lane) {
         pseudorange_item_t item;
         pseudorange_output_t out;
-        const flag_t loaded =
+        const farrell_tightly_coupled_flag_t loaded =
             pseudorange_load_item(&satellite_position[3 * lane], &measured[lane], &item);
-        const flag_t evaluated = pseudorange_item(in, shared, &item, &out);
+        const farrell_tightly_coupled_flag_t evaluated = pseudorange_item(in, shared, &item, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         pseudorange_put_value(&out, &block->value[lane]);
@@ -164,9 +164,9 @@ static FARRELL_TIGHTLY_COUPLED_WIDE void pseudorange_lanes_jacobian(
     for (int32_t lane = 0; lane < count; ++lane) {
         pseudorange_item_t item;
         pseudorange_output_t out;
-        const flag_t loaded =
+        const farrell_tightly_coupled_flag_t loaded =
             pseudorange_load_item(&satellite_position[3 * lane], &measured[lane], &item);
-        const flag_t evaluated = pseudorange_item(in, shared, &item, &out);
+        const farrell_tightly_coupled_flag_t evaluated = pseudorange_item(in, shared, &item, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         pseudorange_put_jacobian(&out, FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LANES,
@@ -216,7 +216,8 @@ static farrell_tightly_coupled_status_t pseudorange_rows(
                 const int32_t i = first + lane;
 
                 item_status[i] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+                if (block.status[lane] ==
+                    (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
                     pseudorange_fill_value(&block.value[lane], &value[i]);
                     pseudorange_fill_residual(&block.residual[lane], &residual[i]);
                     pseudorange_fill_jacobian(&block.jacobian[lane],
@@ -273,7 +274,8 @@ static farrell_tightly_coupled_status_t pseudorange_rows_value(
                 const int32_t i = first + lane;
 
                 item_status[i] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+                if (block.status[lane] ==
+                    (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
                     pseudorange_fill_value(&block.value[lane], &value[i]);
                     pseudorange_fill_residual(&block.residual[lane], &residual[i]);
                 } else {
@@ -325,7 +327,8 @@ static farrell_tightly_coupled_status_t pseudorange_rows_jacobian(
                 const int32_t i = first + lane;
 
                 item_status[i] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+                if (block.status[lane] ==
+                    (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
                     pseudorange_fill_jacobian(&block.jacobian[lane],
                         FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LANES, &jacobian[17 * i]);
                 } else {
@@ -431,7 +434,7 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_jacobian(
 
 /* Non-zeros straight into the caller's columns, neighbouring items in one vector register.
    Returns zero where no item failed. */
-FARRELL_TIGHTLY_COUPLED_INLINE flag_t pseudorange_columns(
+FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t pseudorange_columns(
     int32_t stride,
     const pseudorange_input_t *FARRELL_TIGHTLY_COUPLED_RESTRICT in,
     const pseudorange_shared_t *FARRELL_TIGHTLY_COUPLED_RESTRICT shared,
@@ -444,17 +447,17 @@ FARRELL_TIGHTLY_COUPLED_INLINE flag_t pseudorange_columns(
         FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS],
     farrell_tightly_coupled_real_t jacobian_nz[FARRELL_TIGHTLY_COUPLED_RESTRICT 4 *
         FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS],
-    flag_t codes[FARRELL_TIGHTLY_COUPLED_RESTRICT])
+    farrell_tightly_coupled_flag_t codes[FARRELL_TIGHTLY_COUPLED_RESTRICT])
 {
-    flag_t failed = 0U;
+    farrell_tightly_coupled_flag_t failed = 0U;
 
     FARRELL_TIGHTLY_COUPLED_IVDEP
     for (int32_t i = 0; i < count; ++i) {
         pseudorange_item_t item;
         pseudorange_output_t out;
-        const flag_t loaded =
+        const farrell_tightly_coupled_flag_t loaded =
             pseudorange_load_item(&satellite_position[3 * i], &measured[i], &item);
-        const flag_t evaluated = pseudorange_item(in, shared, &item, &out);
+        const farrell_tightly_coupled_flag_t evaluated = pseudorange_item(in, shared, &item, &out);
 
         codes[i] = first_failure(loaded, evaluated);
         failed |= codes[i];
@@ -492,16 +495,17 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_status_t pseudorange_spar
         (farrell_tightly_coupled_status_t)pseudorange_load(x, c_n_e, origin, &in);
 
     if (status == FARRELL_TIGHTLY_COUPLED_OK) {
-        flag_t codes[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS];
+        farrell_tightly_coupled_flag_t codes[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS];
         (void)pseudorange_shared(&in, &shared);
-        const flag_t failed = pseudorange_columns(stride, &in, &shared, n, satellite_position,
+        const farrell_tightly_coupled_flag_t failed =
+            pseudorange_columns(stride, &in, &shared, n, satellite_position,
             measured, value, residual, jacobian_nz, codes);
 
         (void)memset(item_status, (int)FARRELL_TIGHTLY_COUPLED_OK, (size_t)n);
         if (failed != 0U) {
             for (int32_t i = 0; i < n; ++i) {
                 item_status[i] = (uint8_t)codes[i];
-                if (codes[i] != (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+                if (codes[i] != (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
                     pseudorange_clear_value(&value[i]);
                     pseudorange_clear_residual(&residual[i]);
                     for (int32_t k = 0; k < 4; ++k) {
@@ -726,7 +730,8 @@ static farrell_tightly_coupled_status_t pseudorange_differences(
                     const int32_t row = (i < reference) ? i : (i - 1);
 
                     item_status[i] = (uint8_t)block.status[lane];
-                    if (block.status[lane] == (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+                    if (block.status[lane] ==
+                        (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
                         pseudorange_difference_value(&block.value[lane], base.value, &value[row]);
                         pseudorange_difference_residual(&block.residual[lane], base.residual,
                             &residual[row]);
@@ -836,7 +841,7 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_difference_
 
         status = pseudorange_check_reference(n, reference);
         if (status == FARRELL_TIGHTLY_COUPLED_OK) {
-            flag_t outside = 0U;
+            farrell_tightly_coupled_flag_t outside = 0U;
 
             for (int32_t i = 0; i < n; ++i) {
                 outside |= take_value(sigma[i], 0.0, 1.0e+150, &deviation[i]);

@@ -55,14 +55,14 @@ typedef struct {
 } pseudorange_output_t;
 
 /* Check and copy the inputs of one call. */
-FARRELL_TIGHTLY_COUPLED_INLINE flag_t pseudorange_load(
+FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t pseudorange_load(
     const farrell_tightly_coupled_real_t x[],
     const farrell_tightly_coupled_real_t c_n_e[],
     const farrell_tightly_coupled_real_t origin[],
     pseudorange_input_t *in)
 {
-    flag_t outside = 0U;
-    flag_t skewed = 0U;
+    farrell_tightly_coupled_flag_t outside = 0U;
+    farrell_tightly_coupled_flag_t skewed = 0U;
 
     /* dp [m, in n] */
     outside |= take_centred(x[0], 1000000.0, &in->dp_x);
@@ -90,12 +90,14 @@ FARRELL_TIGHTLY_COUPLED_INLINE flag_t pseudorange_load(
     outside |= take_centred(origin[1], 100000000.0, &in->origin_y);
     outside |= take_centred(origin[2], 100000000.0, &in->origin_z);
 
-    return (outside != 0U) ? (flag_t)FARRELL_TIGHTLY_COUPLED_RANGE : ((skewed != 0U) ?
-        (flag_t)FARRELL_TIGHTLY_COUPLED_QNORM : (flag_t)FARRELL_TIGHTLY_COUPLED_OK);
+    return (outside != 0U) ? (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_RANGE :
+        ((skewed != 0U) ?
+        (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_QNORM :
+            (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK);
 }
 
 /* Pseudoranges from the antenna to satellites: the part that is the same for all items. */
-FARRELL_TIGHTLY_COUPLED_INLINE flag_t pseudorange_shared(
+FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t pseudorange_shared(
     const pseudorange_input_t *in,
     pseudorange_shared_t *shared)
 {
@@ -113,16 +115,16 @@ FARRELL_TIGHTLY_COUPLED_INLINE flag_t pseudorange_shared(
     shared->antenna_y = antenna_y;
     shared->antenna_z = antenna_z;
 
-    return (flag_t)FARRELL_TIGHTLY_COUPLED_OK;
+    return (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK;
 }
 
 /* Check and copy the inputs of one item. */
-FARRELL_TIGHTLY_COUPLED_INLINE flag_t pseudorange_load_item(
+FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t pseudorange_load_item(
     const farrell_tightly_coupled_real_t satellite_position[],
     const farrell_tightly_coupled_real_t measured[],
     pseudorange_item_t *item)
 {
-    flag_t outside = 0U;
+    farrell_tightly_coupled_flag_t outside = 0U;
 
     /* satellite_position [m, in e] */
     outside |= take_centred(satellite_position[0], 100000000.0, &item->satellite_position_x);
@@ -132,12 +134,12 @@ FARRELL_TIGHTLY_COUPLED_INLINE flag_t pseudorange_load_item(
     /* measured [m] */
     outside |= take_centred(measured[0], 1000000000.0, &item->measured);
 
-    return (outside != 0U) ? (flag_t)FARRELL_TIGHTLY_COUPLED_RANGE :
-        (flag_t)FARRELL_TIGHTLY_COUPLED_OK;
+    return (outside != 0U) ? (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_RANGE :
+        (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK;
 }
 
 /* Pseudoranges from the antenna to satellites: one item. */
-FARRELL_TIGHTLY_COUPLED_INLINE flag_t pseudorange_item(
+FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t pseudorange_item(
     const pseudorange_input_t *in,
     const pseudorange_shared_t *shared,
     const pseudorange_item_t *item,
@@ -176,8 +178,8 @@ FARRELL_TIGHTLY_COUPLED_INLINE flag_t pseudorange_item(
         (in->c_n_e_22 * range_direction_z);
     out->jacobian[3] = 1.0;  /* b_u */
 
-    return range_squared_ok ? (flag_t)FARRELL_TIGHTLY_COUPLED_OK :
-        (flag_t)FARRELL_TIGHTLY_COUPLED_DOMAIN;
+    return range_squared_ok ? (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK :
+        (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_DOMAIN;
 }
 
 #endif /* FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_KERNEL_H */

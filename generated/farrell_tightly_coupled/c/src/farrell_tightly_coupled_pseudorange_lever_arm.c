@@ -19,7 +19,7 @@ typedef struct {
     farrell_tightly_coupled_real_t value[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_LANES];
     farrell_tightly_coupled_real_t
         jacobian[7 * FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_LANES];
-    flag_t status[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_LANES];
+    farrell_tightly_coupled_flag_t status[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_LANES];
 } pseudorange_lever_arm_block_t;
 
 /* Store the non-zeros of value, a stride apart. */
@@ -106,8 +106,10 @@ static FARRELL_TIGHTLY_COUPLED_WIDE void pseudorange_lever_arm_lanes(
     for (int32_t lane = 0; lane < count; ++lane) {
         pseudorange_lever_arm_item_t item;
         pseudorange_lever_arm_output_t out;
-        const flag_t loaded = pseudorange_lever_arm_load_item(&satellite_position[3 * lane], &item);
-        const flag_t evaluated = pseudorange_lever_arm_item(in, shared, &item, &out);
+        const farrell_tightly_coupled_flag_t loaded =
+            pseudorange_lever_arm_load_item(&satellite_position[3 * lane], &item);
+        const farrell_tightly_coupled_flag_t evaluated =
+            pseudorange_lever_arm_item(in, shared, &item, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         pseudorange_lever_arm_put_value(&out, &block->value[lane]);
@@ -128,8 +130,10 @@ static FARRELL_TIGHTLY_COUPLED_WIDE void pseudorange_lever_arm_lanes_value(
     for (int32_t lane = 0; lane < count; ++lane) {
         pseudorange_lever_arm_item_t item;
         pseudorange_lever_arm_output_t out;
-        const flag_t loaded = pseudorange_lever_arm_load_item(&satellite_position[3 * lane], &item);
-        const flag_t evaluated = pseudorange_lever_arm_item(in, shared, &item, &out);
+        const farrell_tightly_coupled_flag_t loaded =
+            pseudorange_lever_arm_load_item(&satellite_position[3 * lane], &item);
+        const farrell_tightly_coupled_flag_t evaluated =
+            pseudorange_lever_arm_item(in, shared, &item, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         pseudorange_lever_arm_put_value(&out, &block->value[lane]);
@@ -148,8 +152,10 @@ static FARRELL_TIGHTLY_COUPLED_WIDE void pseudorange_lever_arm_lanes_jacobian(
     for (int32_t lane = 0; lane < count; ++lane) {
         pseudorange_lever_arm_item_t item;
         pseudorange_lever_arm_output_t out;
-        const flag_t loaded = pseudorange_lever_arm_load_item(&satellite_position[3 * lane], &item);
-        const flag_t evaluated = pseudorange_lever_arm_item(in, shared, &item, &out);
+        const farrell_tightly_coupled_flag_t loaded =
+            pseudorange_lever_arm_load_item(&satellite_position[3 * lane], &item);
+        const farrell_tightly_coupled_flag_t evaluated =
+            pseudorange_lever_arm_item(in, shared, &item, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         pseudorange_lever_arm_put_jacobian(&out,
@@ -197,7 +203,8 @@ static farrell_tightly_coupled_status_t pseudorange_lever_arm_rows(
                 const int32_t i = first + lane;
 
                 item_status[i] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+                if (block.status[lane] ==
+                    (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
                     pseudorange_lever_arm_fill_value(&block.value[lane], &value[i]);
                     pseudorange_lever_arm_fill_jacobian(&block.jacobian[lane],
                         FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_LANES, &jacobian[17 * i]);
@@ -250,7 +257,8 @@ static farrell_tightly_coupled_status_t pseudorange_lever_arm_rows_value(
                 const int32_t i = first + lane;
 
                 item_status[i] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+                if (block.status[lane] ==
+                    (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
                     pseudorange_lever_arm_fill_value(&block.value[lane], &value[i]);
                 } else {
                     pseudorange_lever_arm_clear_value(&value[i]);
@@ -300,7 +308,8 @@ static farrell_tightly_coupled_status_t pseudorange_lever_arm_rows_jacobian(
                 const int32_t i = first + lane;
 
                 item_status[i] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+                if (block.status[lane] ==
+                    (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
                     pseudorange_lever_arm_fill_jacobian(&block.jacobian[lane],
                         FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_LANES, &jacobian[17 * i]);
                 } else {
@@ -399,7 +408,7 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_lever_arm_j
 
 /* Non-zeros straight into the caller's columns, neighbouring items in one vector register.
    Returns zero where no item failed. */
-FARRELL_TIGHTLY_COUPLED_INLINE flag_t pseudorange_lever_arm_columns(
+FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t pseudorange_lever_arm_columns(
     int32_t stride,
     const pseudorange_lever_arm_input_t *FARRELL_TIGHTLY_COUPLED_RESTRICT in,
     const pseudorange_lever_arm_shared_t *FARRELL_TIGHTLY_COUPLED_RESTRICT shared,
@@ -409,16 +418,18 @@ FARRELL_TIGHTLY_COUPLED_INLINE flag_t pseudorange_lever_arm_columns(
         FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS],
     farrell_tightly_coupled_real_t jacobian_nz[FARRELL_TIGHTLY_COUPLED_RESTRICT 7 *
         FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS],
-    flag_t codes[FARRELL_TIGHTLY_COUPLED_RESTRICT])
+    farrell_tightly_coupled_flag_t codes[FARRELL_TIGHTLY_COUPLED_RESTRICT])
 {
-    flag_t failed = 0U;
+    farrell_tightly_coupled_flag_t failed = 0U;
 
     FARRELL_TIGHTLY_COUPLED_IVDEP
     for (int32_t i = 0; i < count; ++i) {
         pseudorange_lever_arm_item_t item;
         pseudorange_lever_arm_output_t out;
-        const flag_t loaded = pseudorange_lever_arm_load_item(&satellite_position[3 * i], &item);
-        const flag_t evaluated = pseudorange_lever_arm_item(in, shared, &item, &out);
+        const farrell_tightly_coupled_flag_t loaded =
+            pseudorange_lever_arm_load_item(&satellite_position[3 * i], &item);
+        const farrell_tightly_coupled_flag_t evaluated =
+            pseudorange_lever_arm_item(in, shared, &item, &out);
 
         codes[i] = first_failure(loaded, evaluated);
         failed |= codes[i];
@@ -453,16 +464,18 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_status_t pseudorange_leve
         &in);
 
     if (status == FARRELL_TIGHTLY_COUPLED_OK) {
-        flag_t codes[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS];
+        farrell_tightly_coupled_flag_t
+            codes[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS];
         (void)pseudorange_lever_arm_shared(&in, &shared);
-        const flag_t failed = pseudorange_lever_arm_columns(stride, &in, &shared, n,
+        const farrell_tightly_coupled_flag_t failed =
+            pseudorange_lever_arm_columns(stride, &in, &shared, n,
             satellite_position, value, jacobian_nz, codes);
 
         (void)memset(item_status, (int)FARRELL_TIGHTLY_COUPLED_OK, (size_t)n);
         if (failed != 0U) {
             for (int32_t i = 0; i < n; ++i) {
                 item_status[i] = (uint8_t)codes[i];
-                if (codes[i] != (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+                if (codes[i] != (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
                     pseudorange_lever_arm_clear_value(&value[i]);
                     for (int32_t k = 0; k < 7; ++k) {
                         jacobian_nz[(k * stride) + i] = 0.0;
@@ -682,7 +695,8 @@ static farrell_tightly_coupled_status_t pseudorange_lever_arm_differences(
                     const int32_t row = (i < reference) ? i : (i - 1);
 
                     item_status[i] = (uint8_t)block.status[lane];
-                    if (block.status[lane] == (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+                    if (block.status[lane] ==
+                        (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
                         pseudorange_lever_arm_difference_value(&block.value[lane], base.value,
                             &value[row]);
                         pseudorange_lever_arm_difference_jacobian(&block.jacobian[lane],
@@ -791,7 +805,7 @@ farrell_tightly_coupled_status_t
 
         status = pseudorange_lever_arm_check_reference(n, reference);
         if (status == FARRELL_TIGHTLY_COUPLED_OK) {
-            flag_t outside = 0U;
+            farrell_tightly_coupled_flag_t outside = 0U;
 
             for (int32_t i = 0; i < n; ++i) {
                 outside |= take_value(sigma[i], 0.0, 1.0e+150, &deviation[i]);

@@ -65,15 +65,15 @@ typedef struct {
 } pseudorange_lever_arm_output_t;
 
 /* Check and copy the inputs of one call. */
-FARRELL_TIGHTLY_COUPLED_INLINE flag_t pseudorange_lever_arm_load(
+FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t pseudorange_lever_arm_load(
     const farrell_tightly_coupled_real_t x[],
     const farrell_tightly_coupled_real_t c_n_e[],
     const farrell_tightly_coupled_real_t origin[],
     const farrell_tightly_coupled_real_t lever_arm[],
     pseudorange_lever_arm_input_t *in)
 {
-    flag_t outside = 0U;
-    flag_t skewed = 0U;
+    farrell_tightly_coupled_flag_t outside = 0U;
+    farrell_tightly_coupled_flag_t skewed = 0U;
 
     /* dp [m, in n] */
     outside |= take_centred(x[0], 1000000.0, &in->dp_x);
@@ -113,12 +113,14 @@ FARRELL_TIGHTLY_COUPLED_INLINE flag_t pseudorange_lever_arm_load(
     outside |= take_centred(lever_arm[1], 100.0, &in->lever_arm_y);
     outside |= take_centred(lever_arm[2], 100.0, &in->lever_arm_z);
 
-    return (outside != 0U) ? (flag_t)FARRELL_TIGHTLY_COUPLED_RANGE : ((skewed != 0U) ?
-        (flag_t)FARRELL_TIGHTLY_COUPLED_QNORM : (flag_t)FARRELL_TIGHTLY_COUPLED_OK);
+    return (outside != 0U) ? (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_RANGE :
+        ((skewed != 0U) ?
+        (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_QNORM :
+            (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK);
 }
 
 /* Pseudoranges from the antenna to satellites: the part that is the same for all items. */
-FARRELL_TIGHTLY_COUPLED_INLINE flag_t pseudorange_lever_arm_shared(
+FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t pseudorange_lever_arm_shared(
     const pseudorange_lever_arm_input_t *in,
     pseudorange_lever_arm_shared_t *shared)
 {
@@ -170,27 +172,27 @@ FARRELL_TIGHTLY_COUPLED_INLINE flag_t pseudorange_lever_arm_shared(
     shared->antenna_y = antenna_y;
     shared->antenna_z = antenna_z;
 
-    return (flag_t)FARRELL_TIGHTLY_COUPLED_OK;
+    return (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK;
 }
 
 /* Check and copy the inputs of one item. */
-FARRELL_TIGHTLY_COUPLED_INLINE flag_t pseudorange_lever_arm_load_item(
+FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t pseudorange_lever_arm_load_item(
     const farrell_tightly_coupled_real_t satellite_position[],
     pseudorange_lever_arm_item_t *item)
 {
-    flag_t outside = 0U;
+    farrell_tightly_coupled_flag_t outside = 0U;
 
     /* satellite_position [m, in e] */
     outside |= take_centred(satellite_position[0], 100000000.0, &item->satellite_position_x);
     outside |= take_centred(satellite_position[1], 100000000.0, &item->satellite_position_y);
     outside |= take_centred(satellite_position[2], 100000000.0, &item->satellite_position_z);
 
-    return (outside != 0U) ? (flag_t)FARRELL_TIGHTLY_COUPLED_RANGE :
-        (flag_t)FARRELL_TIGHTLY_COUPLED_OK;
+    return (outside != 0U) ? (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_RANGE :
+        (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK;
 }
 
 /* Pseudoranges from the antenna to satellites: one item. */
-FARRELL_TIGHTLY_COUPLED_INLINE flag_t pseudorange_lever_arm_item(
+FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t pseudorange_lever_arm_item(
     const pseudorange_lever_arm_input_t *in,
     const pseudorange_lever_arm_shared_t *shared,
     const pseudorange_lever_arm_item_t *item,
@@ -238,8 +240,8 @@ FARRELL_TIGHTLY_COUPLED_INLINE flag_t pseudorange_lever_arm_item(
     out->jacobian[6] = (shared->drho_arm_x * value_by_antenna_nav_y) -
         (shared->drho_arm_y * value_by_antenna_nav_x);
 
-    return range_squared_ok ? (flag_t)FARRELL_TIGHTLY_COUPLED_OK :
-        (flag_t)FARRELL_TIGHTLY_COUPLED_DOMAIN;
+    return range_squared_ok ? (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK :
+        (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_DOMAIN;
 }
 
 #endif /* FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_KERNEL_H */

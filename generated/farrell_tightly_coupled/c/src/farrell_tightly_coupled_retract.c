@@ -85,21 +85,22 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_retract(
 }
 
 /* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static FARRELL_TIGHTLY_COUPLED_WIDE flag_t retract_check_lanes(
+static FARRELL_TIGHTLY_COUPLED_WIDE farrell_tightly_coupled_flag_t retract_check_lanes(
     int32_t count,
     const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT],
     const farrell_tightly_coupled_real_t d[FARRELL_TIGHTLY_COUPLED_RESTRICT],
-    flag_t codes[FARRELL_TIGHTLY_COUPLED_RESTRICT FARRELL_TIGHTLY_COUPLED_RETRACT_LANES])
+    farrell_tightly_coupled_flag_t
+        codes[FARRELL_TIGHTLY_COUPLED_RESTRICT FARRELL_TIGHTLY_COUPLED_RETRACT_LANES])
 {
-    flag_t failed = 0U;
+    farrell_tightly_coupled_flag_t failed = 0U;
 
     FARRELL_TIGHTLY_COUPLED_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         retract_input_t in;
         retract_output_t out;
-        const flag_t loaded =
+        const farrell_tightly_coupled_flag_t loaded =
             retract_load(&x[lane], &d[lane], FARRELL_TIGHTLY_COUPLED_RETRACT_LANES, &in);
-        const flag_t evaluated = retract_kernel(&in, &out);
+        const farrell_tightly_coupled_flag_t evaluated = retract_kernel(&in, &out);
 
         codes[lane] = first_failure(loaded, evaluated);
         failed |= codes[lane];
@@ -133,23 +134,23 @@ static farrell_tightly_coupled_status_t retract_block(
     farrell_tightly_coupled_real_t value[FARRELL_TIGHTLY_COUPLED_RESTRICT],
     uint8_t status[FARRELL_TIGHTLY_COUPLED_RESTRICT])
 {
-    flag_t codes[FARRELL_TIGHTLY_COUPLED_RETRACT_LANES];
-    const flag_t failed = retract_check_lanes(count, x, d, codes);
+    farrell_tightly_coupled_flag_t codes[FARRELL_TIGHTLY_COUPLED_RETRACT_LANES];
+    const farrell_tightly_coupled_flag_t failed = retract_check_lanes(count, x, d, codes);
 
     for (int32_t lane = 0; lane < count; ++lane) {
         status[lane] = (uint8_t)codes[lane];
     }
-    if (failed == (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+    if (failed == (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
         retract_evaluate_lanes(count, x, d, value);
     } else {
         for (int32_t lane = 0; lane < count; ++lane) {
-            if (codes[lane] == (flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+            if (codes[lane] == (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
                 retract_evaluate_lanes(1, &x[lane], &d[lane], &value[lane]);
             }
         }
     }
-    return (failed == (flag_t)FARRELL_TIGHTLY_COUPLED_OK) ? FARRELL_TIGHTLY_COUPLED_OK :
-        FARRELL_TIGHTLY_COUPLED_PARTIAL;
+    return (failed == (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) ?
+        FARRELL_TIGHTLY_COUPLED_OK : FARRELL_TIGHTLY_COUPLED_PARTIAL;
 }
 
 farrell_tightly_coupled_status_t farrell_tightly_coupled_retract_blocks(

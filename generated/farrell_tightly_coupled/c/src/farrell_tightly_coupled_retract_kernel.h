@@ -56,14 +56,14 @@ typedef struct {
 } retract_output_t;
 
 /* Check and copy the inputs of one call. */
-FARRELL_TIGHTLY_COUPLED_INLINE flag_t retract_load(
+FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t retract_load(
     const farrell_tightly_coupled_real_t x[],
     const farrell_tightly_coupled_real_t d[],
     int32_t stride,
     retract_input_t *in)
 {
-    flag_t outside = 0U;
-    flag_t skewed = 0U;
+    farrell_tightly_coupled_flag_t outside = 0U;
+    farrell_tightly_coupled_flag_t skewed = 0U;
 
     /* dp [m, in n] */
     outside |= take_centred(x[0], 1000000.0, &in->dp_x);
@@ -129,8 +129,10 @@ FARRELL_TIGHTLY_COUPLED_INLINE flag_t retract_load(
     outside |= take_centred(d[15 * stride], 1000000000.0, &in->x_g_y_2);
     outside |= take_centred(d[16 * stride], 1000000000.0, &in->x_g_z_2);
 
-    return (outside != 0U) ? (flag_t)FARRELL_TIGHTLY_COUPLED_RANGE : ((skewed != 0U) ?
-        (flag_t)FARRELL_TIGHTLY_COUPLED_QNORM : (flag_t)FARRELL_TIGHTLY_COUPLED_OK);
+    return (outside != 0U) ? (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_RANGE :
+        ((skewed != 0U) ?
+        (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_QNORM :
+            (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -178,7 +180,7 @@ FARRELL_TIGHTLY_COUPLED_INLINE void retract_copy(
 }
 
 /* State moved by an error: values and structural non-zeros. */
-FARRELL_TIGHTLY_COUPLED_INLINE flag_t retract_kernel(
+FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t retract_kernel(
     const retract_input_t *in,
     retract_output_t *out)
 {
@@ -234,7 +236,7 @@ FARRELL_TIGHTLY_COUPLED_INLINE flag_t retract_kernel(
     out->value[16] = in->x_g_y_2 + in->x_g_y;  /* x_g y */
     out->value[17] = in->x_g_z_2 + in->x_g_z;  /* x_g z */
 
-    return (flag_t)FARRELL_TIGHTLY_COUPLED_OK;
+    return (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK;
 }
 
 #endif /* FARRELL_TIGHTLY_COUPLED_RETRACT_KERNEL_H */

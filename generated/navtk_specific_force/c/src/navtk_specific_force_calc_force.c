@@ -284,23 +284,25 @@ navtk_specific_force_status_t navtk_specific_force_calc_force_nz(
 }
 
 /* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static NAVTK_SPECIFIC_FORCE_WIDE flag_t calc_force_check_lanes(
+static NAVTK_SPECIFIC_FORCE_WIDE navtk_specific_force_flag_t calc_force_check_lanes(
     int32_t count,
     const navtk_specific_force_real_t dcm[NAVTK_SPECIFIC_FORCE_RESTRICT],
     const navtk_specific_force_real_t delta_theta[NAVTK_SPECIFIC_FORCE_RESTRICT],
     const navtk_specific_force_real_t delta_velocity[NAVTK_SPECIFIC_FORCE_RESTRICT],
     const navtk_specific_force_real_t dt[NAVTK_SPECIFIC_FORCE_RESTRICT],
-    flag_t codes[NAVTK_SPECIFIC_FORCE_RESTRICT NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES])
+    navtk_specific_force_flag_t
+        codes[NAVTK_SPECIFIC_FORCE_RESTRICT NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES])
 {
-    flag_t failed = 0U;
+    navtk_specific_force_flag_t failed = 0U;
 
     NAVTK_SPECIFIC_FORCE_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         calc_force_input_t in;
         calc_force_output_t out;
-        const flag_t loaded = calc_force_load(&dcm[lane], &delta_theta[lane], &delta_velocity[lane],
+        const navtk_specific_force_flag_t loaded =
+            calc_force_load(&dcm[lane], &delta_theta[lane], &delta_velocity[lane],
             &dt[lane], NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES, &in);
-        const flag_t evaluated = calc_force_kernel(&in, &out);
+        const navtk_specific_force_flag_t evaluated = calc_force_kernel(&in, &out);
 
         codes[lane] = first_failure(loaded, evaluated);
         failed |= codes[lane];
@@ -355,27 +357,27 @@ static navtk_specific_force_status_t calc_force_block(
     navtk_specific_force_real_t jacobian_dt_nz[NAVTK_SPECIFIC_FORCE_RESTRICT],
     uint8_t status[NAVTK_SPECIFIC_FORCE_RESTRICT])
 {
-    flag_t codes[NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES];
-    const flag_t failed =
+    navtk_specific_force_flag_t codes[NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES];
+    const navtk_specific_force_flag_t failed =
         calc_force_check_lanes(count, dcm, delta_theta, delta_velocity, dt, codes);
 
     for (int32_t lane = 0; lane < count; ++lane) {
         status[lane] = (uint8_t)codes[lane];
     }
-    if (failed == (flag_t)NAVTK_SPECIFIC_FORCE_OK) {
+    if (failed == (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_OK) {
         calc_force_evaluate_lanes(count, dcm, delta_theta, delta_velocity, dt, value,
             jacobian_dcm_nz, jacobian_delta_theta_nz, jacobian_delta_velocity_nz, jacobian_dt_nz);
     } else {
         for (int32_t lane = 0; lane < count; ++lane) {
-            if (codes[lane] == (flag_t)NAVTK_SPECIFIC_FORCE_OK) {
+            if (codes[lane] == (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_OK) {
                 calc_force_evaluate_lanes(1, &dcm[lane], &delta_theta[lane], &delta_velocity[lane],
                     &dt[lane], &value[lane], &jacobian_dcm_nz[lane], &jacobian_delta_theta_nz[lane],
                     &jacobian_delta_velocity_nz[lane], &jacobian_dt_nz[lane]);
             }
         }
     }
-    return (failed == (flag_t)NAVTK_SPECIFIC_FORCE_OK) ? NAVTK_SPECIFIC_FORCE_OK :
-        NAVTK_SPECIFIC_FORCE_PARTIAL;
+    return (failed == (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_OK) ?
+        NAVTK_SPECIFIC_FORCE_OK : NAVTK_SPECIFIC_FORCE_PARTIAL;
 }
 
 navtk_specific_force_status_t navtk_specific_force_calc_force_blocks(

@@ -41,7 +41,7 @@ typedef struct {
 } calc_force_output_t;
 
 /* Check and copy the inputs of one call. */
-NAVTK_SPECIFIC_FORCE_INLINE flag_t calc_force_load(
+NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t calc_force_load(
     const navtk_specific_force_real_t dcm[],
     const navtk_specific_force_real_t delta_theta[],
     const navtk_specific_force_real_t delta_velocity[],
@@ -49,8 +49,8 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t calc_force_load(
     int32_t stride,
     calc_force_input_t *in)
 {
-    flag_t outside = 0U;
-    flag_t skewed = 0U;
+    navtk_specific_force_flag_t outside = 0U;
+    navtk_specific_force_flag_t skewed = 0U;
 
     /* dcm [s -> n] */
     outside |= take_centred(dcm[0], 1.00001, &in->dcm_00);
@@ -78,8 +78,9 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t calc_force_load(
     /* dt [s] */
     outside |= take_value(dt[0], 1.0e-05, 0.05, &in->dt);
 
-    return (outside != 0U) ? (flag_t)NAVTK_SPECIFIC_FORCE_RANGE :
-        ((skewed != 0U) ? (flag_t)NAVTK_SPECIFIC_FORCE_QNORM : (flag_t)NAVTK_SPECIFIC_FORCE_OK);
+    return (outside != 0U) ? (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_RANGE :
+        ((skewed != 0U) ? (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_QNORM :
+            (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_OK);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -110,7 +111,7 @@ NAVTK_SPECIFIC_FORCE_INLINE void calc_force_copy(
 }
 
 /* Specific force corrected for rotation and sculling: values and structural non-zeros. */
-NAVTK_SPECIFIC_FORCE_INLINE flag_t calc_force_kernel(
+NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t calc_force_kernel(
     const calc_force_input_t *in,
     calc_force_output_t *out)
 {
@@ -222,7 +223,7 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t calc_force_kernel(
     /* value z, dt */
     out->jacobian_dt[2] = -((in->dcm_20 * t171) + (in->dcm_21 * t173) + (in->dcm_22 * t176));
 
-    return (flag_t)NAVTK_SPECIFIC_FORCE_OK;
+    return (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_OK;
 }
 
 #endif /* NAVTK_SPECIFIC_FORCE_CALC_FORCE_KERNEL_H */

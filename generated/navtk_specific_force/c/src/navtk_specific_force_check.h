@@ -48,14 +48,14 @@
 
 /* Flags and status codes inside kernels: an integer as wide as navtk_specific_force_real_t, so that a vector
    register holds as many of one as of the other. */
-typedef uint64_t flag_t;
+typedef uint64_t navtk_specific_force_flag_t;
 
 /* The status of the step that failed first. */
-NAVTK_SPECIFIC_FORCE_INLINE flag_t first_failure(
-    flag_t earlier,
-    flag_t later)
+NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t first_failure(
+    navtk_specific_force_flag_t earlier,
+    navtk_specific_force_flag_t later)
 {
-    return (earlier != (flag_t)NAVTK_SPECIFIC_FORCE_OK) ? earlier : later;
+    return (earlier != (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_OK) ? earlier : later;
 }
 
 /* True when a value is a number inside a closed range; false for NaN. */
@@ -86,7 +86,7 @@ NAVTK_SPECIFIC_FORCE_INLINE bool is_centred(
 
 /* Copy a value into its range. Outside it, or for NaN, the lower end stands for it and 1 is
    returned. */
-NAVTK_SPECIFIC_FORCE_INLINE flag_t take_value(
+NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t take_value(
     navtk_specific_force_real_t value,
     navtk_specific_force_real_t lower,
     navtk_specific_force_real_t upper,
@@ -95,12 +95,12 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t take_value(
     const bool within = is_within(value, lower, upper);
 
     *copy = within ? value : lower;
-    return within ? (flag_t)0U : (flag_t)1U;
+    return within ? (navtk_specific_force_flag_t)0U : (navtk_specific_force_flag_t)1U;
 }
 
 /* Copy a value into [-bound, bound]. Outside it, or for NaN, zero stands for it and 1 is
    returned. */
-NAVTK_SPECIFIC_FORCE_INLINE flag_t take_centred(
+NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t take_centred(
     navtk_specific_force_real_t value,
     navtk_specific_force_real_t bound,
     navtk_specific_force_real_t *copy)
@@ -108,11 +108,11 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t take_centred(
     const bool within = is_centred(value, bound);
 
     *copy = within ? value : 0.0;
-    return within ? (flag_t)0U : (flag_t)1U;
+    return within ? (navtk_specific_force_flag_t)0U : (navtk_specific_force_flag_t)1U;
 }
 
 /* 1 when a quaternion is not of unit norm, else 0. */
-NAVTK_SPECIFIC_FORCE_INLINE flag_t is_skewed_quaternion(
+NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t is_skewed_quaternion(
     navtk_specific_force_real_t q0,
     navtk_specific_force_real_t q1,
     navtk_specific_force_real_t q2,
@@ -122,12 +122,13 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t is_skewed_quaternion(
     const navtk_specific_force_real_t excess = ((q0 * q0) + (q1 * q1) + (q2 * q2) + (q3 * q3)) -
         1.0;
 
-    return (fabs(excess) <= tolerance) ? (flag_t)0U : (flag_t)1U;
+    return (fabs(excess) <= tolerance) ? (navtk_specific_force_flag_t)0U :
+        (navtk_specific_force_flag_t)1U;
 }
 
 /* 1 when a 3 by 3 matrix is no rotation, else 0: the first two columns are orthonormal and the
    third is their cross product, so that a reflection is refused as well. */
-NAVTK_SPECIFIC_FORCE_INLINE flag_t is_skewed_matrix(
+NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t is_skewed_matrix(
     navtk_specific_force_real_t m00,
     navtk_specific_force_real_t m01,
     navtk_specific_force_real_t m02,
@@ -148,7 +149,8 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t is_skewed_matrix(
 
     return ((fabs(e00) <= tolerance) && (fabs(e11) <= tolerance) &&
             (fabs(e01) <= tolerance) && (fabs(e02) <= tolerance) &&
-            (fabs(e12) <= tolerance) && (fabs(e22) <= tolerance)) ? (flag_t)0U : (flag_t)1U;
+            (fabs(e12) <= tolerance) && (fabs(e22) <= tolerance)) ?
+                (navtk_specific_force_flag_t)0U : (navtk_specific_force_flag_t)1U;
 }
 
 /* Lay rows of epochs side by side: element k of epoch lane at [k * lanes + lane]. Two by two, so

@@ -42,7 +42,7 @@ typedef struct {
 } force_output_t;
 
 /* Check and copy the inputs of one call. */
-NAVTK_SPECIFIC_FORCE_INLINE flag_t force_load(
+NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t force_load(
     const navtk_specific_force_real_t x[],
     const navtk_specific_force_real_t delta_theta[],
     const navtk_specific_force_real_t delta_velocity[],
@@ -50,8 +50,8 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t force_load(
     int32_t stride,
     force_input_t *in)
 {
-    flag_t outside = 0U;
-    flag_t skewed = 0U;
+    navtk_specific_force_flag_t outside = 0U;
+    navtk_specific_force_flag_t skewed = 0U;
 
     /* attitude [s -> n] */
     outside |= take_centred(x[6 * stride], 1.00001, &in->attitude_w);
@@ -84,8 +84,9 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t force_load(
     /* dt [s] */
     outside |= take_value(dt[0], 1.0e-05, 0.05, &in->dt);
 
-    return (outside != 0U) ? (flag_t)NAVTK_SPECIFIC_FORCE_RANGE :
-        ((skewed != 0U) ? (flag_t)NAVTK_SPECIFIC_FORCE_QNORM : (flag_t)NAVTK_SPECIFIC_FORCE_OK);
+    return (outside != 0U) ? (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_RANGE :
+        ((skewed != 0U) ? (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_QNORM :
+            (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_OK);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -117,7 +118,8 @@ NAVTK_SPECIFIC_FORCE_INLINE void force_copy(
 }
 
 /* Specific force corrected for rotation and sculling: values and structural non-zeros. */
-NAVTK_SPECIFIC_FORCE_INLINE flag_t force_kernel(const force_input_t *in, force_output_t *out)
+NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t
+    force_kernel(const force_input_t *in, force_output_t *out)
 {
     const navtk_specific_force_real_t inverse_dt = 1.0 / in->dt;  /* shared reciprocal */
     const navtk_specific_force_real_t attitude_twice_x = 2.0 * in->attitude_x;
@@ -291,7 +293,7 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t force_kernel(const force_input_t *in, force_o
     out->jacobian_dt[2] = -(t289 + ((in->accelerometer_bias_y * value_by_v_z_y) +
         (in->accelerometer_bias_z * value_by_v_z_z)) + (in->gyro_bias_x * value_by_a_z_x) + t298);
 
-    return (flag_t)NAVTK_SPECIFIC_FORCE_OK;
+    return (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_OK;
 }
 
 #endif /* NAVTK_SPECIFIC_FORCE_FORCE_KERNEL_H */

@@ -79,20 +79,22 @@ navtk_specific_force_status_t navtk_specific_force_local(
 }
 
 /* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static NAVTK_SPECIFIC_FORCE_WIDE flag_t local_check_lanes(
+static NAVTK_SPECIFIC_FORCE_WIDE navtk_specific_force_flag_t local_check_lanes(
     int32_t count,
     const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT],
     const navtk_specific_force_real_t y[NAVTK_SPECIFIC_FORCE_RESTRICT],
-    flag_t codes[NAVTK_SPECIFIC_FORCE_RESTRICT NAVTK_SPECIFIC_FORCE_LOCAL_LANES])
+    navtk_specific_force_flag_t
+        codes[NAVTK_SPECIFIC_FORCE_RESTRICT NAVTK_SPECIFIC_FORCE_LOCAL_LANES])
 {
-    flag_t failed = 0U;
+    navtk_specific_force_flag_t failed = 0U;
 
     NAVTK_SPECIFIC_FORCE_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         local_input_t in;
         local_output_t out;
-        const flag_t loaded = local_load(&x[lane], &y[lane], NAVTK_SPECIFIC_FORCE_LOCAL_LANES, &in);
-        const flag_t evaluated = local_kernel(&in, &out);
+        const navtk_specific_force_flag_t loaded =
+            local_load(&x[lane], &y[lane], NAVTK_SPECIFIC_FORCE_LOCAL_LANES, &in);
+        const navtk_specific_force_flag_t evaluated = local_kernel(&in, &out);
 
         codes[lane] = first_failure(loaded, evaluated);
         failed |= codes[lane];
@@ -126,23 +128,23 @@ static navtk_specific_force_status_t local_block(
     navtk_specific_force_real_t value[NAVTK_SPECIFIC_FORCE_RESTRICT],
     uint8_t status[NAVTK_SPECIFIC_FORCE_RESTRICT])
 {
-    flag_t codes[NAVTK_SPECIFIC_FORCE_LOCAL_LANES];
-    const flag_t failed = local_check_lanes(count, x, y, codes);
+    navtk_specific_force_flag_t codes[NAVTK_SPECIFIC_FORCE_LOCAL_LANES];
+    const navtk_specific_force_flag_t failed = local_check_lanes(count, x, y, codes);
 
     for (int32_t lane = 0; lane < count; ++lane) {
         status[lane] = (uint8_t)codes[lane];
     }
-    if (failed == (flag_t)NAVTK_SPECIFIC_FORCE_OK) {
+    if (failed == (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_OK) {
         local_evaluate_lanes(count, x, y, value);
     } else {
         for (int32_t lane = 0; lane < count; ++lane) {
-            if (codes[lane] == (flag_t)NAVTK_SPECIFIC_FORCE_OK) {
+            if (codes[lane] == (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_OK) {
                 local_evaluate_lanes(1, &x[lane], &y[lane], &value[lane]);
             }
         }
     }
-    return (failed == (flag_t)NAVTK_SPECIFIC_FORCE_OK) ? NAVTK_SPECIFIC_FORCE_OK :
-        NAVTK_SPECIFIC_FORCE_PARTIAL;
+    return (failed == (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_OK) ?
+        NAVTK_SPECIFIC_FORCE_OK : NAVTK_SPECIFIC_FORCE_PARTIAL;
 }
 
 navtk_specific_force_status_t navtk_specific_force_local_blocks(

@@ -53,14 +53,14 @@ typedef struct {
 } local_output_t;
 
 /* Check and copy the inputs of one call. */
-NAVTK_SPECIFIC_FORCE_INLINE flag_t local_load(
+NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t local_load(
     const navtk_specific_force_real_t x[],
     const navtk_specific_force_real_t y[],
     int32_t stride,
     local_input_t *in)
 {
-    flag_t outside = 0U;
-    flag_t skewed = 0U;
+    navtk_specific_force_flag_t outside = 0U;
+    navtk_specific_force_flag_t skewed = 0U;
 
     /* position [m, in n] */
     outside |= take_centred(x[0], 1000000000.0, &in->position_x);
@@ -118,8 +118,9 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t local_load(
     outside |= take_centred(y[14 * stride], 0.1, &in->gyro_bias_y_2);
     outside |= take_centred(y[15 * stride], 0.1, &in->gyro_bias_z_2);
 
-    return (outside != 0U) ? (flag_t)NAVTK_SPECIFIC_FORCE_RANGE :
-        ((skewed != 0U) ? (flag_t)NAVTK_SPECIFIC_FORCE_QNORM : (flag_t)NAVTK_SPECIFIC_FORCE_OK);
+    return (outside != 0U) ? (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_RANGE :
+        ((skewed != 0U) ? (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_QNORM :
+            (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_OK);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -164,7 +165,8 @@ NAVTK_SPECIFIC_FORCE_INLINE void local_copy(
 }
 
 /* Error between two states: values and structural non-zeros. */
-NAVTK_SPECIFIC_FORCE_INLINE flag_t local_kernel(const local_input_t *in, local_output_t *out)
+NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t
+    local_kernel(const local_input_t *in, local_output_t *out)
 {
     const navtk_specific_force_real_t attitude_log_of_w = (in->attitude_w * in->attitude_w_2) +
         (in->attitude_x * in->attitude_x_2) +
@@ -226,7 +228,7 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t local_kernel(const local_input_t *in, local_o
     out->value[13] = in->gyro_bias_y_2 - in->gyro_bias_y;  /* gyro_bias y */
     out->value[14] = in->gyro_bias_z_2 - in->gyro_bias_z;  /* gyro_bias z */
 
-    return (flag_t)NAVTK_SPECIFIC_FORCE_OK;
+    return (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_OK;
 }
 
 #endif /* NAVTK_SPECIFIC_FORCE_LOCAL_KERNEL_H */

@@ -52,14 +52,14 @@ typedef struct {
 } retract_output_t;
 
 /* Check and copy the inputs of one call. */
-NAVTK_SPECIFIC_FORCE_INLINE flag_t retract_load(
+NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t retract_load(
     const navtk_specific_force_real_t x[],
     const navtk_specific_force_real_t d[],
     int32_t stride,
     retract_input_t *in)
 {
-    flag_t outside = 0U;
-    flag_t skewed = 0U;
+    navtk_specific_force_flag_t outside = 0U;
+    navtk_specific_force_flag_t skewed = 0U;
 
     /* position [m, in n] */
     outside |= take_centred(x[0], 1000000000.0, &in->position_x);
@@ -114,8 +114,9 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t retract_load(
     outside |= take_centred(d[13 * stride], 1000000000.0, &in->gyro_bias_y_2);
     outside |= take_centred(d[14 * stride], 1000000000.0, &in->gyro_bias_z_2);
 
-    return (outside != 0U) ? (flag_t)NAVTK_SPECIFIC_FORCE_RANGE :
-        ((skewed != 0U) ? (flag_t)NAVTK_SPECIFIC_FORCE_QNORM : (flag_t)NAVTK_SPECIFIC_FORCE_OK);
+    return (outside != 0U) ? (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_RANGE :
+        ((skewed != 0U) ? (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_QNORM :
+            (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_OK);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -159,7 +160,8 @@ NAVTK_SPECIFIC_FORCE_INLINE void retract_copy(
 }
 
 /* State moved by an error: values and structural non-zeros. */
-NAVTK_SPECIFIC_FORCE_INLINE flag_t retract_kernel(const retract_input_t *in, retract_output_t *out)
+NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t
+    retract_kernel(const retract_input_t *in, retract_output_t *out)
 {
     const navtk_specific_force_real_t attitude_exp_angle_squared =
         (in->attitude_x_2 * in->attitude_x_2) + (in->attitude_y_2 * in->attitude_y_2) +
@@ -216,7 +218,7 @@ NAVTK_SPECIFIC_FORCE_INLINE flag_t retract_kernel(const retract_input_t *in, ret
     out->value[14] = in->gyro_bias_y_2 + in->gyro_bias_y;  /* gyro_bias y */
     out->value[15] = in->gyro_bias_z_2 + in->gyro_bias_z;  /* gyro_bias z */
 
-    return (flag_t)NAVTK_SPECIFIC_FORCE_OK;
+    return (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_OK;
 }
 
 #endif /* NAVTK_SPECIFIC_FORCE_RETRACT_KERNEL_H */

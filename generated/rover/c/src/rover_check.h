@@ -48,14 +48,14 @@
 
 /* Flags and status codes inside kernels: an integer as wide as rover_real_t, so that a vector
    register holds as many of one as of the other. */
-typedef uint64_t flag_t;
+typedef uint64_t rover_flag_t;
 
 /* The status of the step that failed first. */
-ROVER_INLINE flag_t first_failure(
-    flag_t earlier,
-    flag_t later)
+ROVER_INLINE rover_flag_t first_failure(
+    rover_flag_t earlier,
+    rover_flag_t later)
 {
-    return (earlier != (flag_t)ROVER_OK) ? earlier : later;
+    return (earlier != (rover_flag_t)ROVER_OK) ? earlier : later;
 }
 
 /* True when a value is a number inside a closed range; false for NaN. */
@@ -94,7 +94,7 @@ ROVER_INLINE bool is_equal(
 
 /* Copy a value into its range. Outside it, or for NaN, the lower end stands for it and 1 is
    returned. */
-ROVER_INLINE flag_t take_value(
+ROVER_INLINE rover_flag_t take_value(
     rover_real_t value,
     rover_real_t lower,
     rover_real_t upper,
@@ -103,12 +103,12 @@ ROVER_INLINE flag_t take_value(
     const bool within = is_within(value, lower, upper);
 
     *copy = within ? value : lower;
-    return within ? (flag_t)0U : (flag_t)1U;
+    return within ? (rover_flag_t)0U : (rover_flag_t)1U;
 }
 
 /* Copy a value into [-bound, bound]. Outside it, or for NaN, zero stands for it and 1 is
    returned. */
-ROVER_INLINE flag_t take_centred(
+ROVER_INLINE rover_flag_t take_centred(
     rover_real_t value,
     rover_real_t bound,
     rover_real_t *copy)
@@ -116,11 +116,11 @@ ROVER_INLINE flag_t take_centred(
     const bool within = is_centred(value, bound);
 
     *copy = within ? value : 0.0;
-    return within ? (flag_t)0U : (flag_t)1U;
+    return within ? (rover_flag_t)0U : (rover_flag_t)1U;
 }
 
 /* Copy an integer into its range: the lower end stands for what is outside, and 1 is returned. */
-ROVER_INLINE flag_t take_index(
+ROVER_INLINE rover_flag_t take_index(
     int32_t value,
     int32_t lower,
     int32_t upper,
@@ -129,11 +129,11 @@ ROVER_INLINE flag_t take_index(
     const bool within = (value >= lower) && (value <= upper);
 
     *copy = within ? value : lower;
-    return within ? (flag_t)0U : (flag_t)1U;
+    return within ? (rover_flag_t)0U : (rover_flag_t)1U;
 }
 
 /* 1 when a quaternion is not of unit norm, else 0. */
-ROVER_INLINE flag_t is_skewed_quaternion(
+ROVER_INLINE rover_flag_t is_skewed_quaternion(
     rover_real_t q0,
     rover_real_t q1,
     rover_real_t q2,
@@ -142,7 +142,7 @@ ROVER_INLINE flag_t is_skewed_quaternion(
 {
     const rover_real_t excess = ((q0 * q0) + (q1 * q1) + (q2 * q2) + (q3 * q3)) - 1.0;
 
-    return (fabs(excess) <= tolerance) ? (flag_t)0U : (flag_t)1U;
+    return (fabs(excess) <= tolerance) ? (rover_flag_t)0U : (rover_flag_t)1U;
 }
 
 /* Lay rows of epochs side by side: element k of epoch lane at [k * lanes + lane]. Two by two, so

@@ -214,19 +214,19 @@ rover_status_t rover_gps_nz(
 }
 
 /* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static ROVER_WIDE flag_t gps_check_lanes(
+static ROVER_WIDE rover_flag_t gps_check_lanes(
     int32_t count,
     const rover_real_t x[ROVER_RESTRICT],
-    flag_t codes[ROVER_RESTRICT ROVER_GPS_LANES])
+    rover_flag_t codes[ROVER_RESTRICT ROVER_GPS_LANES])
 {
-    flag_t failed = 0U;
+    rover_flag_t failed = 0U;
 
     ROVER_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         gps_input_t in;
         gps_output_t out;
-        const flag_t loaded = gps_load(&x[lane], ROVER_GPS_LANES, &in);
-        const flag_t evaluated = gps_kernel(&in, &out);
+        const rover_flag_t loaded = gps_load(&x[lane], ROVER_GPS_LANES, &in);
+        const rover_flag_t evaluated = gps_kernel(&in, &out);
 
         codes[lane] = first_failure(loaded, evaluated);
         failed |= codes[lane];
@@ -261,22 +261,22 @@ static rover_status_t gps_block(
     rover_real_t jacobian_nz[ROVER_RESTRICT],
     uint8_t status[ROVER_RESTRICT])
 {
-    flag_t codes[ROVER_GPS_LANES];
-    const flag_t failed = gps_check_lanes(count, x, codes);
+    rover_flag_t codes[ROVER_GPS_LANES];
+    const rover_flag_t failed = gps_check_lanes(count, x, codes);
 
     for (int32_t lane = 0; lane < count; ++lane) {
         status[lane] = (uint8_t)codes[lane];
     }
-    if (failed == (flag_t)ROVER_OK) {
+    if (failed == (rover_flag_t)ROVER_OK) {
         gps_evaluate_lanes(count, x, value, jacobian_nz);
     } else {
         for (int32_t lane = 0; lane < count; ++lane) {
-            if (codes[lane] == (flag_t)ROVER_OK) {
+            if (codes[lane] == (rover_flag_t)ROVER_OK) {
                 gps_evaluate_lanes(1, &x[lane], &value[lane], &jacobian_nz[lane]);
             }
         }
     }
-    return (failed == (flag_t)ROVER_OK) ? ROVER_OK : ROVER_PARTIAL;
+    return (failed == (rover_flag_t)ROVER_OK) ? ROVER_OK : ROVER_PARTIAL;
 }
 
 rover_status_t rover_gps_blocks(

@@ -32,10 +32,10 @@ typedef struct {
 } gps_output_t;
 
 /* Check and copy the inputs of one call. */
-ROVER_INLINE flag_t gps_load(const rover_real_t x[], int32_t stride, gps_input_t *in)
+ROVER_INLINE rover_flag_t gps_load(const rover_real_t x[], int32_t stride, gps_input_t *in)
 {
-    flag_t outside = 0U;
-    flag_t skewed = 0U;
+    rover_flag_t outside = 0U;
+    rover_flag_t skewed = 0U;
 
     /* position [m, in n] */
     outside |= take_centred(x[0], 100000.0, &in->position_x);
@@ -55,8 +55,8 @@ ROVER_INLINE flag_t gps_load(const rover_real_t x[], int32_t stride, gps_input_t
     outside |= take_centred(x[17 * stride], 10.0, &in->antenna_y);
     outside |= take_centred(x[18 * stride], 10.0, &in->antenna_z);
 
-    return (outside != 0U) ? (flag_t)ROVER_RANGE :
-        ((skewed != 0U) ? (flag_t)ROVER_QNORM : (flag_t)ROVER_OK);
+    return (outside != 0U) ? (rover_flag_t)ROVER_RANGE :
+        ((skewed != 0U) ? (rover_flag_t)ROVER_QNORM : (rover_flag_t)ROVER_OK);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -75,7 +75,7 @@ ROVER_INLINE void gps_copy(const rover_real_t x[], int32_t stride, gps_input_t *
 }
 
 /* Position of a GNSS antenna: values and structural non-zeros. */
-ROVER_INLINE flag_t gps_kernel(const gps_input_t *in, gps_output_t *out)
+ROVER_INLINE rover_flag_t gps_kernel(const gps_input_t *in, gps_output_t *out)
 {
     const rover_real_t attitude_twice_x = 2.0 * in->attitude_x;
     const rover_real_t attitude_twice_y = 2.0 * in->attitude_y;
@@ -141,7 +141,7 @@ ROVER_INLINE flag_t gps_kernel(const gps_input_t *in, gps_output_t *out)
     out->jacobian[19] = attitude_21;  /* value z, antenna y */
     out->jacobian[20] = attitude_22;  /* value z, antenna z */
 
-    return (flag_t)ROVER_OK;
+    return (rover_flag_t)ROVER_OK;
 }
 
 #endif /* ROVER_GPS_KERNEL_H */

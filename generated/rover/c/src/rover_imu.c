@@ -218,23 +218,23 @@ rover_status_t rover_imu_nz(
 }
 
 /* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static ROVER_WIDE flag_t imu_check_lanes(
+static ROVER_WIDE rover_flag_t imu_check_lanes(
     int32_t count,
     const rover_real_t x[ROVER_RESTRICT],
     const rover_real_t delta_theta[ROVER_RESTRICT],
     const rover_real_t delta_velocity[ROVER_RESTRICT],
     const rover_real_t dt[ROVER_RESTRICT],
-    flag_t codes[ROVER_RESTRICT ROVER_IMU_LANES])
+    rover_flag_t codes[ROVER_RESTRICT ROVER_IMU_LANES])
 {
-    flag_t failed = 0U;
+    rover_flag_t failed = 0U;
 
     ROVER_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         imu_input_t in;
         imu_output_t out;
-        const flag_t loaded = imu_load(&x[lane], &delta_theta[lane], &delta_velocity[lane],
+        const rover_flag_t loaded = imu_load(&x[lane], &delta_theta[lane], &delta_velocity[lane],
             &dt[lane], ROVER_IMU_LANES, &in);
-        const flag_t evaluated = imu_kernel(&in, &out);
+        const rover_flag_t evaluated = imu_kernel(&in, &out);
 
         codes[lane] = first_failure(loaded, evaluated);
         failed |= codes[lane];
@@ -276,23 +276,23 @@ static rover_status_t imu_block(
     rover_real_t jacobian_nz[ROVER_RESTRICT],
     uint8_t status[ROVER_RESTRICT])
 {
-    flag_t codes[ROVER_IMU_LANES];
-    const flag_t failed = imu_check_lanes(count, x, delta_theta, delta_velocity, dt, codes);
+    rover_flag_t codes[ROVER_IMU_LANES];
+    const rover_flag_t failed = imu_check_lanes(count, x, delta_theta, delta_velocity, dt, codes);
 
     for (int32_t lane = 0; lane < count; ++lane) {
         status[lane] = (uint8_t)codes[lane];
     }
-    if (failed == (flag_t)ROVER_OK) {
+    if (failed == (rover_flag_t)ROVER_OK) {
         imu_evaluate_lanes(count, x, delta_theta, delta_velocity, dt, value, jacobian_nz);
     } else {
         for (int32_t lane = 0; lane < count; ++lane) {
-            if (codes[lane] == (flag_t)ROVER_OK) {
+            if (codes[lane] == (rover_flag_t)ROVER_OK) {
                 imu_evaluate_lanes(1, &x[lane], &delta_theta[lane], &delta_velocity[lane],
                     &dt[lane], &value[lane], &jacobian_nz[lane]);
             }
         }
     }
-    return (failed == (flag_t)ROVER_OK) ? ROVER_OK : ROVER_PARTIAL;
+    return (failed == (rover_flag_t)ROVER_OK) ? ROVER_OK : ROVER_PARTIAL;
 }
 
 rover_status_t rover_imu_blocks(

@@ -45,7 +45,7 @@ typedef struct {
 } imu_output_t;
 
 /* Check and copy the inputs of one call. */
-ROVER_INLINE flag_t imu_load(
+ROVER_INLINE rover_flag_t imu_load(
     const rover_real_t x[],
     const rover_real_t delta_theta[],
     const rover_real_t delta_velocity[],
@@ -53,8 +53,8 @@ ROVER_INLINE flag_t imu_load(
     int32_t stride,
     imu_input_t *in)
 {
-    flag_t outside = 0U;
-    flag_t skewed = 0U;
+    rover_flag_t outside = 0U;
+    rover_flag_t skewed = 0U;
 
     /* attitude [b -> n] */
     outside |= take_centred(x[6 * stride], 1.00001, &in->attitude_w);
@@ -93,8 +93,8 @@ ROVER_INLINE flag_t imu_load(
     /* dt [s] */
     outside |= take_value(dt[0], 1.0e-05, 0.05, &in->dt);
 
-    return (outside != 0U) ? (flag_t)ROVER_RANGE :
-        ((skewed != 0U) ? (flag_t)ROVER_QNORM : (flag_t)ROVER_OK);
+    return (outside != 0U) ? (rover_flag_t)ROVER_RANGE :
+        ((skewed != 0U) ? (rover_flag_t)ROVER_QNORM : (rover_flag_t)ROVER_OK);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -132,7 +132,7 @@ ROVER_INLINE void imu_copy(
 }
 
 /* Specific force corrected for rotation and sculling: values and structural non-zeros. */
-ROVER_INLINE flag_t imu_kernel(const imu_input_t *in, imu_output_t *out)
+ROVER_INLINE rover_flag_t imu_kernel(const imu_input_t *in, imu_output_t *out)
 {
     const rover_real_t inverse_dt = 1.0 / in->dt;  /* shared reciprocal */
     const rover_real_t attitude_twice_x = 2.0 * in->attitude_x;
@@ -298,7 +298,7 @@ ROVER_INLINE flag_t imu_kernel(const imu_input_t *in, imu_output_t *out)
     out->jacobian[26] = (attitude_20 * force_by_gyro_bias_x_z_2) -
         (attitude_21 * force_by_gyro_bias_z_y_2);
 
-    return (flag_t)ROVER_OK;
+    return (rover_flag_t)ROVER_OK;
 }
 
 #endif /* ROVER_IMU_KERNEL_H */

@@ -90,20 +90,20 @@ rover_status_t rover_local(
 }
 
 /* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static ROVER_WIDE flag_t local_check_lanes(
+static ROVER_WIDE rover_flag_t local_check_lanes(
     int32_t count,
     const rover_real_t x[ROVER_RESTRICT],
     const rover_real_t y[ROVER_RESTRICT],
-    flag_t codes[ROVER_RESTRICT ROVER_LOCAL_LANES])
+    rover_flag_t codes[ROVER_RESTRICT ROVER_LOCAL_LANES])
 {
-    flag_t failed = 0U;
+    rover_flag_t failed = 0U;
 
     ROVER_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         local_input_t in;
         local_output_t out;
-        const flag_t loaded = local_load(&x[lane], &y[lane], ROVER_LOCAL_LANES, &in);
-        const flag_t evaluated = local_kernel(&in, &out);
+        const rover_flag_t loaded = local_load(&x[lane], &y[lane], ROVER_LOCAL_LANES, &in);
+        const rover_flag_t evaluated = local_kernel(&in, &out);
 
         codes[lane] = first_failure(loaded, evaluated);
         failed |= codes[lane];
@@ -137,22 +137,22 @@ static rover_status_t local_block(
     rover_real_t value[ROVER_RESTRICT],
     uint8_t status[ROVER_RESTRICT])
 {
-    flag_t codes[ROVER_LOCAL_LANES];
-    const flag_t failed = local_check_lanes(count, x, y, codes);
+    rover_flag_t codes[ROVER_LOCAL_LANES];
+    const rover_flag_t failed = local_check_lanes(count, x, y, codes);
 
     for (int32_t lane = 0; lane < count; ++lane) {
         status[lane] = (uint8_t)codes[lane];
     }
-    if (failed == (flag_t)ROVER_OK) {
+    if (failed == (rover_flag_t)ROVER_OK) {
         local_evaluate_lanes(count, x, y, value);
     } else {
         for (int32_t lane = 0; lane < count; ++lane) {
-            if (codes[lane] == (flag_t)ROVER_OK) {
+            if (codes[lane] == (rover_flag_t)ROVER_OK) {
                 local_evaluate_lanes(1, &x[lane], &y[lane], &value[lane]);
             }
         }
     }
-    return (failed == (flag_t)ROVER_OK) ? ROVER_OK : ROVER_PARTIAL;
+    return (failed == (rover_flag_t)ROVER_OK) ? ROVER_OK : ROVER_PARTIAL;
 }
 
 rover_status_t rover_local_blocks(

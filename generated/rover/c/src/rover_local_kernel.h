@@ -65,14 +65,14 @@ typedef struct {
 } local_output_t;
 
 /* Check and copy the inputs of one call. */
-ROVER_INLINE flag_t local_load(
+ROVER_INLINE rover_flag_t local_load(
     const rover_real_t x[],
     const rover_real_t y[],
     int32_t stride,
     local_input_t *in)
 {
-    flag_t outside = 0U;
-    flag_t skewed = 0U;
+    rover_flag_t outside = 0U;
+    rover_flag_t skewed = 0U;
 
     /* position [m, in n] */
     outside |= take_centred(x[0], 100000.0, &in->position_x);
@@ -158,8 +158,8 @@ ROVER_INLINE flag_t local_load(
     /* drift [m/s] */
     outside |= take_centred(y[21 * stride], 1000000000.0, &in->drift_2);
 
-    return (outside != 0U) ? (flag_t)ROVER_RANGE :
-        ((skewed != 0U) ? (flag_t)ROVER_QNORM : (flag_t)ROVER_OK);
+    return (outside != 0U) ? (rover_flag_t)ROVER_RANGE :
+        ((skewed != 0U) ? (rover_flag_t)ROVER_QNORM : (rover_flag_t)ROVER_OK);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -216,7 +216,7 @@ ROVER_INLINE void local_copy(
 }
 
 /* Error between two states: values and structural non-zeros. */
-ROVER_INLINE flag_t local_kernel(const local_input_t *in, local_output_t *out)
+ROVER_INLINE rover_flag_t local_kernel(const local_input_t *in, local_output_t *out)
 {
     const rover_real_t attitude_log_of_w = (in->attitude_w * in->attitude_w_2) +
         (in->attitude_x * in->attitude_x_2) +
@@ -279,7 +279,7 @@ ROVER_INLINE flag_t local_kernel(const local_input_t *in, local_output_t *out)
     out->value[19] = in->b_galileo_2 - in->b_galileo;  /* b_galileo */
     out->value[20] = in->drift_2 - in->drift;  /* drift */
 
-    return (flag_t)ROVER_OK;
+    return (rover_flag_t)ROVER_OK;
 }
 
 #endif /* ROVER_LOCAL_KERNEL_H */

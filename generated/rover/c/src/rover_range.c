@@ -19,7 +19,7 @@ typedef struct {
     rover_real_t value[ROVER_RANGE_LANES];
     rover_real_t residual[ROVER_RANGE_LANES];
     rover_real_t jacobian[11 * ROVER_RANGE_LANES];
-    flag_t status[ROVER_RANGE_LANES];
+    rover_flag_t status[ROVER_RANGE_LANES];
 } range_block_t;
 
 /* Store the non-zeros of value, a stride apart. */
@@ -131,9 +131,9 @@ static ROVER_WIDE void range_lanes(
     for (int32_t lane = 0; lane < count; ++lane) {
         range_item_t item;
         range_output_t out;
-        const flag_t loaded = range_load_item(&system[lane], &satellite_position[3 * lane],
+        const rover_flag_t loaded = range_load_item(&system[lane], &satellite_position[3 * lane],
             &satellite_clock[lane], &troposphere[lane], &ionosphere[lane], &measured[lane], &item);
-        const flag_t evaluated = range_item(in, shared, &item, &out);
+        const rover_flag_t evaluated = range_item(in, shared, &item, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         range_put_value(&out, &block->value[lane]);
@@ -159,9 +159,9 @@ static ROVER_WIDE void range_lanes_value(
     for (int32_t lane = 0; lane < count; ++lane) {
         range_item_t item;
         range_output_t out;
-        const flag_t loaded = range_load_item(&system[lane], &satellite_position[3 * lane],
+        const rover_flag_t loaded = range_load_item(&system[lane], &satellite_position[3 * lane],
             &satellite_clock[lane], &troposphere[lane], &ionosphere[lane], &measured[lane], &item);
-        const flag_t evaluated = range_item(in, shared, &item, &out);
+        const rover_flag_t evaluated = range_item(in, shared, &item, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         range_put_value(&out, &block->value[lane]);
@@ -186,9 +186,9 @@ static ROVER_WIDE void range_lanes_jacobian(
     for (int32_t lane = 0; lane < count; ++lane) {
         range_item_t item;
         range_output_t out;
-        const flag_t loaded = range_load_item(&system[lane], &satellite_position[3 * lane],
+        const rover_flag_t loaded = range_load_item(&system[lane], &satellite_position[3 * lane],
             &satellite_clock[lane], &troposphere[lane], &ionosphere[lane], &measured[lane], &item);
-        const flag_t evaluated = range_item(in, shared, &item, &out);
+        const rover_flag_t evaluated = range_item(in, shared, &item, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         range_put_jacobian(&out, ROVER_RANGE_LANES, &block->jacobian[lane]);
@@ -233,7 +233,7 @@ static rover_status_t range_rows(
                 const int32_t i = first + lane;
 
                 item_status[i] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)ROVER_OK) {
+                if (block.status[lane] == (rover_flag_t)ROVER_OK) {
                     range_fill_value(&block.value[lane], &value[i]);
                     range_fill_residual(&block.residual[lane], &residual[i]);
                     range_fill_jacobian(&block.jacobian[lane], ROVER_RANGE_LANES,
@@ -287,7 +287,7 @@ static rover_status_t range_rows_value(
                 const int32_t i = first + lane;
 
                 item_status[i] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)ROVER_OK) {
+                if (block.status[lane] == (rover_flag_t)ROVER_OK) {
                     range_fill_value(&block.value[lane], &value[i]);
                     range_fill_residual(&block.residual[lane], &residual[i]);
                 } else {
@@ -337,7 +337,7 @@ static rover_status_t range_rows_jacobian(
                 const int32_t i = first + lane;
 
                 item_status[i] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (flag_t)ROVER_OK) {
+                if (block.status[lane] == (rover_flag_t)ROVER_OK) {
                     range_fill_jacobian(&block.jacobian[lane], ROVER_RANGE_LANES,
                         &jacobian[21 * i]);
                 } else {
@@ -442,7 +442,7 @@ rover_status_t rover_range_jacobian(
 
 /* Non-zeros straight into the caller's columns, neighbouring items in one vector register.
    Returns zero where no item failed. */
-ROVER_INLINE flag_t range_columns(
+ROVER_INLINE rover_flag_t range_columns(
     int32_t stride,
     const range_input_t *ROVER_RESTRICT in,
     const range_shared_t *ROVER_RESTRICT shared,
@@ -456,17 +456,17 @@ ROVER_INLINE flag_t range_columns(
     rover_real_t value[ROVER_RESTRICT ROVER_RANGE_MAX_ITEMS],
     rover_real_t residual[ROVER_RESTRICT ROVER_RANGE_MAX_ITEMS],
     rover_real_t jacobian_nz[ROVER_RESTRICT 11 * ROVER_RANGE_MAX_ITEMS],
-    flag_t codes[ROVER_RESTRICT])
+    rover_flag_t codes[ROVER_RESTRICT])
 {
-    flag_t failed = 0U;
+    rover_flag_t failed = 0U;
 
     ROVER_IVDEP
     for (int32_t i = 0; i < count; ++i) {
         range_item_t item;
         range_output_t out;
-        const flag_t loaded = range_load_item(&system[i], &satellite_position[3 * i],
+        const rover_flag_t loaded = range_load_item(&system[i], &satellite_position[3 * i],
             &satellite_clock[i], &troposphere[i], &ionosphere[i], &measured[i], &item);
-        const flag_t evaluated = range_item(in, shared, &item, &out);
+        const rover_flag_t evaluated = range_item(in, shared, &item, &out);
 
         codes[i] = first_failure(loaded, evaluated);
         failed |= codes[i];
@@ -500,9 +500,10 @@ ROVER_INLINE rover_status_t range_sparse(
     rover_status_t status = (rover_status_t)range_load(x, nav_to_ecef, origin, &in);
 
     if (status == ROVER_OK) {
-        flag_t codes[ROVER_RANGE_MAX_ITEMS];
+        rover_flag_t codes[ROVER_RANGE_MAX_ITEMS];
         (void)range_shared(&in, &shared);
-        const flag_t failed = range_columns(stride, &in, &shared, n, system, satellite_position,
+        const rover_flag_t failed =
+            range_columns(stride, &in, &shared, n, system, satellite_position,
             satellite_clock, troposphere, ionosphere, measured, value, residual, jacobian_nz,
             codes);
 
@@ -510,7 +511,7 @@ ROVER_INLINE rover_status_t range_sparse(
         if (failed != 0U) {
             for (int32_t i = 0; i < n; ++i) {
                 item_status[i] = (uint8_t)codes[i];
-                if (codes[i] != (flag_t)ROVER_OK) {
+                if (codes[i] != (rover_flag_t)ROVER_OK) {
                     range_clear_value(&value[i]);
                     range_clear_residual(&residual[i]);
                     for (int32_t k = 0; k < 11; ++k) {

@@ -80,14 +80,14 @@ typedef struct {
 } range_output_t;
 
 /* Check and copy the inputs of one call. */
-ROVER_INLINE flag_t range_load(
+ROVER_INLINE rover_flag_t range_load(
     const rover_real_t x[],
     const rover_real_t nav_to_ecef[],
     const rover_real_t origin[],
     range_input_t *in)
 {
-    flag_t outside = 0U;
-    flag_t skewed = 0U;
+    rover_flag_t outside = 0U;
+    rover_flag_t skewed = 0U;
 
     /* position [m, in n] */
     outside |= take_centred(x[0], 100000.0, &in->position_x);
@@ -126,12 +126,12 @@ ROVER_INLINE flag_t range_load(
     outside |= take_centred(origin[1], 100000000.0, &in->origin_y);
     outside |= take_centred(origin[2], 100000000.0, &in->origin_z);
 
-    return (outside != 0U) ? (flag_t)ROVER_RANGE :
-        ((skewed != 0U) ? (flag_t)ROVER_QNORM : (flag_t)ROVER_OK);
+    return (outside != 0U) ? (rover_flag_t)ROVER_RANGE :
+        ((skewed != 0U) ? (rover_flag_t)ROVER_QNORM : (rover_flag_t)ROVER_OK);
 }
 
 /* Pseudoranges from the antenna to satellites: the part that is the same for all items. */
-ROVER_INLINE flag_t range_shared(const range_input_t *in, range_shared_t *shared)
+ROVER_INLINE rover_flag_t range_shared(const range_input_t *in, range_shared_t *shared)
 {
     const rover_real_t attitude_twice_x = 2.0 * in->attitude_x;
     const rover_real_t attitude_twice_y = 2.0 * in->attitude_y;
@@ -218,11 +218,11 @@ ROVER_INLINE flag_t range_shared(const range_input_t *in, range_shared_t *shared
     shared->antenna_y_2 = antenna_y_2;
     shared->antenna_z_2 = antenna_z_2;
 
-    return (flag_t)ROVER_OK;
+    return (rover_flag_t)ROVER_OK;
 }
 
 /* Check and copy the inputs of one item. */
-ROVER_INLINE flag_t range_load_item(
+ROVER_INLINE rover_flag_t range_load_item(
     const int32_t system[],
     const rover_real_t satellite_position[],
     const rover_real_t satellite_clock[],
@@ -231,7 +231,7 @@ ROVER_INLINE flag_t range_load_item(
     const rover_real_t measured[],
     range_item_t *item)
 {
-    flag_t outside = 0U;
+    rover_flag_t outside = 0U;
 
     /* system */
     outside |= take_index(system[0], 0, 1, &item->system);
@@ -253,11 +253,11 @@ ROVER_INLINE flag_t range_load_item(
     /* measured [m] */
     outside |= take_centred(measured[0], 1000000000.0, &item->measured);
 
-    return (outside != 0U) ? (flag_t)ROVER_RANGE : (flag_t)ROVER_OK;
+    return (outside != 0U) ? (rover_flag_t)ROVER_RANGE : (rover_flag_t)ROVER_OK;
 }
 
 /* Pseudoranges from the antenna to satellites: one item. */
-ROVER_INLINE flag_t range_item(
+ROVER_INLINE rover_flag_t range_item(
     const range_input_t *in,
     const range_shared_t *shared,
     const range_item_t *item,
@@ -332,7 +332,7 @@ ROVER_INLINE flag_t range_item(
     out->jacobian[9] = is_equal((rover_real_t)item->system, 0.0) ? 1.0 : 0.0;  /* b_gps */
     out->jacobian[10] = is_equal((rover_real_t)item->system, 1.0) ? 1.0 : 0.0;  /* b_galileo */
 
-    return range_squared_ok ? (flag_t)ROVER_OK : (flag_t)ROVER_DOMAIN;
+    return range_squared_ok ? (rover_flag_t)ROVER_OK : (rover_flag_t)ROVER_DOMAIN;
 }
 
 #endif /* ROVER_RANGE_KERNEL_H */

@@ -64,14 +64,14 @@ typedef struct {
 } retract_output_t;
 
 /* Check and copy the inputs of one call. */
-ROVER_INLINE flag_t retract_load(
+ROVER_INLINE rover_flag_t retract_load(
     const rover_real_t x[],
     const rover_real_t d[],
     int32_t stride,
     retract_input_t *in)
 {
-    flag_t outside = 0U;
-    flag_t skewed = 0U;
+    rover_flag_t outside = 0U;
+    rover_flag_t skewed = 0U;
 
     /* position [m, in n] */
     outside |= take_centred(x[0], 100000.0, &in->position_x);
@@ -154,8 +154,8 @@ ROVER_INLINE flag_t retract_load(
     /* drift [m/s] */
     outside |= take_centred(d[20 * stride], 1000000000.0, &in->drift_2);
 
-    return (outside != 0U) ? (flag_t)ROVER_RANGE :
-        ((skewed != 0U) ? (flag_t)ROVER_QNORM : (flag_t)ROVER_OK);
+    return (outside != 0U) ? (rover_flag_t)ROVER_RANGE :
+        ((skewed != 0U) ? (rover_flag_t)ROVER_QNORM : (rover_flag_t)ROVER_OK);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -211,7 +211,7 @@ ROVER_INLINE void retract_copy(
 }
 
 /* State moved by an error: values and structural non-zeros. */
-ROVER_INLINE flag_t retract_kernel(const retract_input_t *in, retract_output_t *out)
+ROVER_INLINE rover_flag_t retract_kernel(const retract_input_t *in, retract_output_t *out)
 {
     const rover_real_t attitude_exp_angle_squared = (in->attitude_x_2 * in->attitude_x_2) +
         (in->attitude_y_2 * in->attitude_y_2) + (in->attitude_z_2 * in->attitude_z_2);
@@ -272,7 +272,7 @@ ROVER_INLINE flag_t retract_kernel(const retract_input_t *in, retract_output_t *
     out->value[20] = in->b_galileo + in->b_galileo_2;  /* b_galileo */
     out->value[21] = in->drift_2 + in->drift;  /* drift */
 
-    return (flag_t)ROVER_OK;
+    return (rover_flag_t)ROVER_OK;
 }
 
 #endif /* ROVER_RETRACT_KERNEL_H */

@@ -143,7 +143,7 @@ single_point_status_t single_point_broadcast_orbit(
 }
 
 /* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static SINGLE_POINT_WIDE flag_t broadcast_orbit_check_lanes(
+static SINGLE_POINT_WIDE single_point_flag_t broadcast_orbit_check_lanes(
     int32_t count,
     const single_point_real_t time_2[SINGLE_POINT_RESTRICT],
     const single_point_real_t toe[SINGLE_POINT_RESTRICT],
@@ -167,21 +167,22 @@ static SINGLE_POINT_WIDE flag_t broadcast_orbit_check_lanes(
     const single_point_real_t af1[SINGLE_POINT_RESTRICT],
     const single_point_real_t af2[SINGLE_POINT_RESTRICT],
     const single_point_real_t group_delay[SINGLE_POINT_RESTRICT],
-    flag_t codes[SINGLE_POINT_RESTRICT SINGLE_POINT_BROADCAST_ORBIT_LANES])
+    single_point_flag_t codes[SINGLE_POINT_RESTRICT SINGLE_POINT_BROADCAST_ORBIT_LANES])
 {
-    flag_t failed = 0U;
+    single_point_flag_t failed = 0U;
 
     SINGLE_POINT_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         broadcast_orbit_input_t in;
         broadcast_orbit_output_t out;
-        const flag_t loaded = broadcast_orbit_load(&time_2[lane], &toe[lane], &toc[lane],
+        const single_point_flag_t loaded =
+            broadcast_orbit_load(&time_2[lane], &toe[lane], &toc[lane],
             &sqrt_a[lane], &eccentricity[lane], &mean_anomaly[lane], &mean_motion_difference[lane],
             &inclination[lane], &inclination_rate[lane], &right_ascension[lane],
             &right_ascension_rate[lane], &argument_of_perigee[lane], &cuc[lane], &cus[lane],
             &crc[lane], &crs[lane], &cic[lane], &cis[lane], &af0[lane], &af1[lane], &af2[lane],
             &group_delay[lane], &in);
-        const flag_t evaluated = broadcast_orbit_kernel(&in, &out);
+        const single_point_flag_t evaluated = broadcast_orbit_kernel(&in, &out);
 
         codes[lane] = first_failure(loaded, evaluated);
         failed |= codes[lane];
@@ -269,8 +270,9 @@ static single_point_status_t broadcast_orbit_block(
     single_point_real_t clock_rate[SINGLE_POINT_RESTRICT],
     uint8_t status[SINGLE_POINT_RESTRICT])
 {
-    flag_t codes[SINGLE_POINT_BROADCAST_ORBIT_LANES];
-    const flag_t failed = broadcast_orbit_check_lanes(count, time_2, toe, toc, sqrt_a, eccentricity,
+    single_point_flag_t codes[SINGLE_POINT_BROADCAST_ORBIT_LANES];
+    const single_point_flag_t failed =
+        broadcast_orbit_check_lanes(count, time_2, toe, toc, sqrt_a, eccentricity,
         mean_anomaly, mean_motion_difference, inclination, inclination_rate, right_ascension,
         right_ascension_rate, argument_of_perigee, cuc, cus, crc, crs, cic, cis, af0, af1, af2,
         group_delay, codes);
@@ -278,14 +280,14 @@ static single_point_status_t broadcast_orbit_block(
     for (int32_t lane = 0; lane < count; ++lane) {
         status[lane] = (uint8_t)codes[lane];
     }
-    if (failed == (flag_t)SINGLE_POINT_OK) {
+    if (failed == (single_point_flag_t)SINGLE_POINT_OK) {
         broadcast_orbit_evaluate_lanes(count, time_2, toe, toc, sqrt_a, eccentricity, mean_anomaly,
             mean_motion_difference, inclination, inclination_rate, right_ascension,
             right_ascension_rate, argument_of_perigee, cuc, cus, crc, crs, cic, cis, af0, af1, af2,
             group_delay, position, clock, velocity, clock_rate);
     } else {
         for (int32_t lane = 0; lane < count; ++lane) {
-            if (codes[lane] == (flag_t)SINGLE_POINT_OK) {
+            if (codes[lane] == (single_point_flag_t)SINGLE_POINT_OK) {
                 broadcast_orbit_evaluate_lanes(1, &time_2[lane], &toe[lane], &toc[lane],
                     &sqrt_a[lane], &eccentricity[lane], &mean_anomaly[lane],
                     &mean_motion_difference[lane], &inclination[lane], &inclination_rate[lane],
@@ -296,7 +298,8 @@ static single_point_status_t broadcast_orbit_block(
             }
         }
     }
-    return (failed == (flag_t)SINGLE_POINT_OK) ? SINGLE_POINT_OK : SINGLE_POINT_PARTIAL;
+    return (failed == (single_point_flag_t)SINGLE_POINT_OK) ? SINGLE_POINT_OK :
+        SINGLE_POINT_PARTIAL;
 }
 
 single_point_status_t single_point_broadcast_orbit_blocks(

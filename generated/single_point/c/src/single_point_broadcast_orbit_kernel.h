@@ -47,7 +47,7 @@ typedef struct {
 } broadcast_orbit_output_t;
 
 /* Check and copy the inputs of one call. */
-SINGLE_POINT_INLINE flag_t broadcast_orbit_load(
+SINGLE_POINT_INLINE single_point_flag_t broadcast_orbit_load(
     const single_point_real_t time_2[],
     const single_point_real_t toe[],
     const single_point_real_t toc[],
@@ -72,7 +72,7 @@ SINGLE_POINT_INLINE flag_t broadcast_orbit_load(
     const single_point_real_t group_delay[],
     broadcast_orbit_input_t *in)
 {
-    flag_t outside = 0U;
+    single_point_flag_t outside = 0U;
 
     /* time [s] */
     outside |= take_value(time_2[0], -3600.0, 608400.0, &in->time_2);
@@ -140,7 +140,8 @@ SINGLE_POINT_INLINE flag_t broadcast_orbit_load(
     /* group_delay [s] */
     outside |= take_centred(group_delay[0], 1.0e-05, &in->group_delay);
 
-    return (outside != 0U) ? (flag_t)SINGLE_POINT_RANGE : (flag_t)SINGLE_POINT_OK;
+    return (outside != 0U) ? (single_point_flag_t)SINGLE_POINT_RANGE :
+        (single_point_flag_t)SINGLE_POINT_OK;
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -195,7 +196,7 @@ SINGLE_POINT_INLINE void broadcast_orbit_copy(
 
 /* Satellite position, velocity and clock from a broadcast ephemeris: values and structural non-
    zeros. */
-SINGLE_POINT_INLINE flag_t broadcast_orbit_kernel(
+SINGLE_POINT_INLINE single_point_flag_t broadcast_orbit_kernel(
     const broadcast_orbit_input_t *in,
     broadcast_orbit_output_t *out)
 {
@@ -318,7 +319,7 @@ SINGLE_POINT_INLINE flag_t broadcast_orbit_kernel(
 
     out->clock_rate[0] = clock_by_time + relativity_by_time;
 
-    return (flag_t)SINGLE_POINT_OK;
+    return (single_point_flag_t)SINGLE_POINT_OK;
 }
 
 #endif /* SINGLE_POINT_BROADCAST_ORBIT_KERNEL_H */

@@ -48,14 +48,14 @@
 
 /* Flags and status codes inside kernels: an integer as wide as single_point_real_t, so that a vector
    register holds as many of one as of the other. */
-typedef uint64_t flag_t;
+typedef uint64_t single_point_flag_t;
 
 /* The status of the step that failed first. */
-SINGLE_POINT_INLINE flag_t first_failure(
-    flag_t earlier,
-    flag_t later)
+SINGLE_POINT_INLINE single_point_flag_t first_failure(
+    single_point_flag_t earlier,
+    single_point_flag_t later)
 {
-    return (earlier != (flag_t)SINGLE_POINT_OK) ? earlier : later;
+    return (earlier != (single_point_flag_t)SINGLE_POINT_OK) ? earlier : later;
 }
 
 /* True when a value is a number inside a closed range; false for NaN. */
@@ -86,7 +86,7 @@ SINGLE_POINT_INLINE bool is_centred(
 
 /* Copy a value into its range. Outside it, or for NaN, the lower end stands for it and 1 is
    returned. */
-SINGLE_POINT_INLINE flag_t take_value(
+SINGLE_POINT_INLINE single_point_flag_t take_value(
     single_point_real_t value,
     single_point_real_t lower,
     single_point_real_t upper,
@@ -95,12 +95,12 @@ SINGLE_POINT_INLINE flag_t take_value(
     const bool within = is_within(value, lower, upper);
 
     *copy = within ? value : lower;
-    return within ? (flag_t)0U : (flag_t)1U;
+    return within ? (single_point_flag_t)0U : (single_point_flag_t)1U;
 }
 
 /* Copy a value into [-bound, bound]. Outside it, or for NaN, zero stands for it and 1 is
    returned. */
-SINGLE_POINT_INLINE flag_t take_centred(
+SINGLE_POINT_INLINE single_point_flag_t take_centred(
     single_point_real_t value,
     single_point_real_t bound,
     single_point_real_t *copy)
@@ -108,7 +108,7 @@ SINGLE_POINT_INLINE flag_t take_centred(
     const bool within = is_centred(value, bound);
 
     *copy = within ? value : 0.0;
-    return within ? (flag_t)0U : (flag_t)1U;
+    return within ? (single_point_flag_t)0U : (single_point_flag_t)1U;
 }
 
 /* Lay rows of epochs side by side: element k of epoch lane at [k * lanes + lane]. Two by two, so

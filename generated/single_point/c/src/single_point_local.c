@@ -56,20 +56,21 @@ single_point_status_t single_point_local(
 }
 
 /* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static SINGLE_POINT_WIDE flag_t local_check_lanes(
+static SINGLE_POINT_WIDE single_point_flag_t local_check_lanes(
     int32_t count,
     const single_point_real_t x[SINGLE_POINT_RESTRICT],
     const single_point_real_t y[SINGLE_POINT_RESTRICT],
-    flag_t codes[SINGLE_POINT_RESTRICT SINGLE_POINT_LOCAL_LANES])
+    single_point_flag_t codes[SINGLE_POINT_RESTRICT SINGLE_POINT_LOCAL_LANES])
 {
-    flag_t failed = 0U;
+    single_point_flag_t failed = 0U;
 
     SINGLE_POINT_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         local_input_t in;
         local_output_t out;
-        const flag_t loaded = local_load(&x[lane], &y[lane], SINGLE_POINT_LOCAL_LANES, &in);
-        const flag_t evaluated = local_kernel(&in, &out);
+        const single_point_flag_t loaded =
+            local_load(&x[lane], &y[lane], SINGLE_POINT_LOCAL_LANES, &in);
+        const single_point_flag_t evaluated = local_kernel(&in, &out);
 
         codes[lane] = first_failure(loaded, evaluated);
         failed |= codes[lane];
@@ -103,22 +104,23 @@ static single_point_status_t local_block(
     single_point_real_t value[SINGLE_POINT_RESTRICT],
     uint8_t status[SINGLE_POINT_RESTRICT])
 {
-    flag_t codes[SINGLE_POINT_LOCAL_LANES];
-    const flag_t failed = local_check_lanes(count, x, y, codes);
+    single_point_flag_t codes[SINGLE_POINT_LOCAL_LANES];
+    const single_point_flag_t failed = local_check_lanes(count, x, y, codes);
 
     for (int32_t lane = 0; lane < count; ++lane) {
         status[lane] = (uint8_t)codes[lane];
     }
-    if (failed == (flag_t)SINGLE_POINT_OK) {
+    if (failed == (single_point_flag_t)SINGLE_POINT_OK) {
         local_evaluate_lanes(count, x, y, value);
     } else {
         for (int32_t lane = 0; lane < count; ++lane) {
-            if (codes[lane] == (flag_t)SINGLE_POINT_OK) {
+            if (codes[lane] == (single_point_flag_t)SINGLE_POINT_OK) {
                 local_evaluate_lanes(1, &x[lane], &y[lane], &value[lane]);
             }
         }
     }
-    return (failed == (flag_t)SINGLE_POINT_OK) ? SINGLE_POINT_OK : SINGLE_POINT_PARTIAL;
+    return (failed == (single_point_flag_t)SINGLE_POINT_OK) ? SINGLE_POINT_OK :
+        SINGLE_POINT_PARTIAL;
 }
 
 single_point_status_t single_point_local_blocks(

@@ -29,13 +29,13 @@ typedef struct {
 } local_output_t;
 
 /* Check and copy the inputs of one call. */
-SINGLE_POINT_INLINE flag_t local_load(
+SINGLE_POINT_INLINE single_point_flag_t local_load(
     const single_point_real_t x[],
     const single_point_real_t y[],
     int32_t stride,
     local_input_t *in)
 {
-    flag_t outside = 0U;
+    single_point_flag_t outside = 0U;
 
     /* position [m, in e] */
     outside |= take_centred(x[0], 10000000.0, &in->position_x);
@@ -53,7 +53,8 @@ SINGLE_POINT_INLINE flag_t local_load(
     /* clock_bias [m] */
     outside |= take_centred(y[3 * stride], 100000000.0, &in->clock_bias_2);
 
-    return (outside != 0U) ? (flag_t)SINGLE_POINT_RANGE : (flag_t)SINGLE_POINT_OK;
+    return (outside != 0U) ? (single_point_flag_t)SINGLE_POINT_RANGE :
+        (single_point_flag_t)SINGLE_POINT_OK;
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -74,7 +75,7 @@ SINGLE_POINT_INLINE void local_copy(
 }
 
 /* Error between two states: values and structural non-zeros. */
-SINGLE_POINT_INLINE flag_t local_kernel(const local_input_t *in, local_output_t *out)
+SINGLE_POINT_INLINE single_point_flag_t local_kernel(const local_input_t *in, local_output_t *out)
 {
 
     out->value[0] = in->position_x_2 - in->position_x;  /* position x */
@@ -82,7 +83,7 @@ SINGLE_POINT_INLINE flag_t local_kernel(const local_input_t *in, local_output_t 
     out->value[2] = in->position_z_2 - in->position_z;  /* position z */
     out->value[3] = in->clock_bias_2 - in->clock_bias;  /* clock_bias */
 
-    return (flag_t)SINGLE_POINT_OK;
+    return (single_point_flag_t)SINGLE_POINT_OK;
 }
 
 #endif /* SINGLE_POINT_LOCAL_KERNEL_H */

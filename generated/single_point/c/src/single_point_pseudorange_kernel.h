@@ -37,9 +37,10 @@ typedef struct {
 } pseudorange_output_t;
 
 /* Check and copy the inputs of one call. */
-SINGLE_POINT_INLINE flag_t pseudorange_load(const single_point_real_t x[], pseudorange_input_t *in)
+SINGLE_POINT_INLINE single_point_flag_t
+    pseudorange_load(const single_point_real_t x[], pseudorange_input_t *in)
 {
-    flag_t outside = 0U;
+    single_point_flag_t outside = 0U;
 
     /* position [m, in e] */
     outside |= take_centred(x[0], 10000000.0, &in->position_x);
@@ -49,25 +50,26 @@ SINGLE_POINT_INLINE flag_t pseudorange_load(const single_point_real_t x[], pseud
     /* clock_bias [m] */
     outside |= take_centred(x[3], 100000000.0, &in->clock_bias);
 
-    return (outside != 0U) ? (flag_t)SINGLE_POINT_RANGE : (flag_t)SINGLE_POINT_OK;
+    return (outside != 0U) ? (single_point_flag_t)SINGLE_POINT_RANGE :
+        (single_point_flag_t)SINGLE_POINT_OK;
 }
 
 /* Pseudoranges from the antenna to satellites: the part that is the same for all items. */
-SINGLE_POINT_INLINE flag_t pseudorange_shared(void)
+SINGLE_POINT_INLINE single_point_flag_t pseudorange_shared(void)
 {
 
-    return (flag_t)SINGLE_POINT_OK;
+    return (single_point_flag_t)SINGLE_POINT_OK;
 }
 
 /* Check and copy the inputs of one item. */
-SINGLE_POINT_INLINE flag_t pseudorange_load_item(
+SINGLE_POINT_INLINE single_point_flag_t pseudorange_load_item(
     const single_point_real_t satellite_position[],
     const single_point_real_t satellite_clock[],
     const single_point_real_t troposphere[],
     const single_point_real_t ionosphere[],
     pseudorange_item_t *item)
 {
-    flag_t outside = 0U;
+    single_point_flag_t outside = 0U;
 
     /* satellite_position [m, in e] */
     outside |= take_centred(satellite_position[0], 100000000.0, &item->satellite_position_x);
@@ -83,11 +85,12 @@ SINGLE_POINT_INLINE flag_t pseudorange_load_item(
     /* ionosphere [m] */
     outside |= take_centred(ionosphere[0], 1000.0, &item->ionosphere);
 
-    return (outside != 0U) ? (flag_t)SINGLE_POINT_RANGE : (flag_t)SINGLE_POINT_OK;
+    return (outside != 0U) ? (single_point_flag_t)SINGLE_POINT_RANGE :
+        (single_point_flag_t)SINGLE_POINT_OK;
 }
 
 /* Pseudoranges from the antenna to satellites: one item. */
-SINGLE_POINT_INLINE flag_t pseudorange_item(
+SINGLE_POINT_INLINE single_point_flag_t pseudorange_item(
     const pseudorange_input_t *in,
     const pseudorange_item_t *item,
     pseudorange_output_t *out)
@@ -120,7 +123,8 @@ SINGLE_POINT_INLINE flag_t pseudorange_item(
     out->jacobian[2] = range_vector_z * inverse_range;  /* position z */
     out->jacobian[3] = 1.0;  /* clock_bias */
 
-    return range_squared_ok ? (flag_t)SINGLE_POINT_OK : (flag_t)SINGLE_POINT_DOMAIN;
+    return range_squared_ok ? (single_point_flag_t)SINGLE_POINT_OK :
+        (single_point_flag_t)SINGLE_POINT_DOMAIN;
 }
 
 #endif /* SINGLE_POINT_PSEUDORANGE_KERNEL_H */

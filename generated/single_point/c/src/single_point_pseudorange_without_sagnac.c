@@ -18,7 +18,7 @@
 typedef struct {
     single_point_real_t value[SINGLE_POINT_PSEUDORANGE_WITHOUT_SAGNAC_LANES];
     single_point_real_t jacobian[4 * SINGLE_POINT_PSEUDORANGE_WITHOUT_SAGNAC_LANES];
-    flag_t status[SINGLE_POINT_PSEUDORANGE_WITHOUT_SAGNAC_LANES];
+    single_point_flag_t status[SINGLE_POINT_PSEUDORANGE_WITHOUT_SAGNAC_LANES];
 } pseudorange_without_sagnac_block_t;
 
 /* Store the non-zeros of value, a stride apart. */
@@ -71,16 +71,17 @@ static single_point_status_t pseudorange_without_sagnac_check_items(
     const single_point_real_t ionosphere[SINGLE_POINT_RESTRICT],
     uint8_t item_status[SINGLE_POINT_RESTRICT])
 {
-    flag_t codes[SINGLE_POINT_PSEUDORANGE_WITHOUT_SAGNAC_MAX_ITEMS];
-    flag_t failure = (flag_t)SINGLE_POINT_OK;
+    single_point_flag_t codes[SINGLE_POINT_PSEUDORANGE_WITHOUT_SAGNAC_MAX_ITEMS];
+    single_point_flag_t failure = (single_point_flag_t)SINGLE_POINT_OK;
 
     SINGLE_POINT_IVDEP
     for (int32_t i = 0; i < count; ++i) {
         pseudorange_without_sagnac_item_t item;
         pseudorange_without_sagnac_output_t out;
-        const flag_t loaded = pseudorange_without_sagnac_load_item(&satellite_position[3 * i],
+        const single_point_flag_t loaded =
+            pseudorange_without_sagnac_load_item(&satellite_position[3 * i],
             &satellite_clock[i], &troposphere[i], &ionosphere[i], &item);
-        const flag_t evaluated = pseudorange_without_sagnac_item(in, &item, &out);
+        const single_point_flag_t evaluated = pseudorange_without_sagnac_item(in, &item, &out);
 
         codes[i] = first_failure(loaded, evaluated);
     }
@@ -105,9 +106,10 @@ static SINGLE_POINT_WIDE void pseudorange_without_sagnac_lanes(
     for (int32_t lane = 0; lane < count; ++lane) {
         pseudorange_without_sagnac_item_t item;
         pseudorange_without_sagnac_output_t out;
-        const flag_t loaded = pseudorange_without_sagnac_load_item(&satellite_position[3 * lane],
+        const single_point_flag_t loaded =
+            pseudorange_without_sagnac_load_item(&satellite_position[3 * lane],
             &satellite_clock[lane], &troposphere[lane], &ionosphere[lane], &item);
-        const flag_t evaluated = pseudorange_without_sagnac_item(in, &item, &out);
+        const single_point_flag_t evaluated = pseudorange_without_sagnac_item(in, &item, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         pseudorange_without_sagnac_put_value(&out, &block->value[lane]);
@@ -130,9 +132,10 @@ static SINGLE_POINT_WIDE void pseudorange_without_sagnac_lanes_value(
     for (int32_t lane = 0; lane < count; ++lane) {
         pseudorange_without_sagnac_item_t item;
         pseudorange_without_sagnac_output_t out;
-        const flag_t loaded = pseudorange_without_sagnac_load_item(&satellite_position[3 * lane],
+        const single_point_flag_t loaded =
+            pseudorange_without_sagnac_load_item(&satellite_position[3 * lane],
             &satellite_clock[lane], &troposphere[lane], &ionosphere[lane], &item);
-        const flag_t evaluated = pseudorange_without_sagnac_item(in, &item, &out);
+        const single_point_flag_t evaluated = pseudorange_without_sagnac_item(in, &item, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         pseudorange_without_sagnac_put_value(&out, &block->value[lane]);
@@ -153,9 +156,10 @@ static SINGLE_POINT_WIDE void pseudorange_without_sagnac_lanes_jacobian(
     for (int32_t lane = 0; lane < count; ++lane) {
         pseudorange_without_sagnac_item_t item;
         pseudorange_without_sagnac_output_t out;
-        const flag_t loaded = pseudorange_without_sagnac_load_item(&satellite_position[3 * lane],
+        const single_point_flag_t loaded =
+            pseudorange_without_sagnac_load_item(&satellite_position[3 * lane],
             &satellite_clock[lane], &troposphere[lane], &ionosphere[lane], &item);
-        const flag_t evaluated = pseudorange_without_sagnac_item(in, &item, &out);
+        const single_point_flag_t evaluated = pseudorange_without_sagnac_item(in, &item, &out);
 
         block->status[lane] = first_failure(loaded, evaluated);
         pseudorange_without_sagnac_put_jacobian(&out, SINGLE_POINT_PSEUDORANGE_WITHOUT_SAGNAC_LANES,
@@ -396,7 +400,7 @@ single_point_status_t single_point_pseudorange_without_sagnac_jacobian(
 
 /* Non-zeros straight into the caller's columns, neighbouring items in one vector register.
    Returns zero where no item failed. */
-SINGLE_POINT_INLINE flag_t pseudorange_without_sagnac_columns(
+SINGLE_POINT_INLINE single_point_flag_t pseudorange_without_sagnac_columns(
     int32_t stride,
     const pseudorange_without_sagnac_input_t *SINGLE_POINT_RESTRICT in,
     int32_t count,
@@ -408,17 +412,18 @@ SINGLE_POINT_INLINE flag_t pseudorange_without_sagnac_columns(
         SINGLE_POINT_PSEUDORANGE_WITHOUT_SAGNAC_MAX_ITEMS],
     single_point_real_t jacobian_nz[SINGLE_POINT_RESTRICT 4 *
         SINGLE_POINT_PSEUDORANGE_WITHOUT_SAGNAC_MAX_ITEMS],
-    flag_t codes[SINGLE_POINT_RESTRICT])
+    single_point_flag_t codes[SINGLE_POINT_RESTRICT])
 {
-    flag_t failed = 0U;
+    single_point_flag_t failed = 0U;
 
     SINGLE_POINT_IVDEP
     for (int32_t i = 0; i < count; ++i) {
         pseudorange_without_sagnac_item_t item;
         pseudorange_without_sagnac_output_t out;
-        const flag_t loaded = pseudorange_without_sagnac_load_item(&satellite_position[3 * i],
+        const single_point_flag_t loaded =
+            pseudorange_without_sagnac_load_item(&satellite_position[3 * i],
             &satellite_clock[i], &troposphere[i], &ionosphere[i], &item);
-        const flag_t evaluated = pseudorange_without_sagnac_item(in, &item, &out);
+        const single_point_flag_t evaluated = pseudorange_without_sagnac_item(in, &item, &out);
 
         codes[i] = first_failure(loaded, evaluated);
         failed |= codes[i];
@@ -456,7 +461,7 @@ SINGLE_POINT_INLINE single_point_status_t pseudorange_without_sagnac_sparse(
             troposphere, ionosphere, item_status);
     }
     if (status == SINGLE_POINT_OK) {
-        flag_t codes[SINGLE_POINT_PSEUDORANGE_WITHOUT_SAGNAC_MAX_ITEMS];
+        single_point_flag_t codes[SINGLE_POINT_PSEUDORANGE_WITHOUT_SAGNAC_MAX_ITEMS];
         (void)pseudorange_without_sagnac_columns(stride, &in, n, satellite_position,
             satellite_clock, troposphere, ionosphere, value, jacobian_nz, codes);
 

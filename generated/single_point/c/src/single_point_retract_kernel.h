@@ -29,13 +29,13 @@ typedef struct {
 } retract_output_t;
 
 /* Check and copy the inputs of one call. */
-SINGLE_POINT_INLINE flag_t retract_load(
+SINGLE_POINT_INLINE single_point_flag_t retract_load(
     const single_point_real_t x[],
     const single_point_real_t d[],
     int32_t stride,
     retract_input_t *in)
 {
-    flag_t outside = 0U;
+    single_point_flag_t outside = 0U;
 
     /* position [m, in e] */
     outside |= take_centred(x[0], 10000000.0, &in->position_x);
@@ -53,7 +53,8 @@ SINGLE_POINT_INLINE flag_t retract_load(
     /* clock_bias [m] */
     outside |= take_centred(d[3 * stride], 1000000000.0, &in->clock_bias_2);
 
-    return (outside != 0U) ? (flag_t)SINGLE_POINT_RANGE : (flag_t)SINGLE_POINT_OK;
+    return (outside != 0U) ? (single_point_flag_t)SINGLE_POINT_RANGE :
+        (single_point_flag_t)SINGLE_POINT_OK;
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -74,7 +75,8 @@ SINGLE_POINT_INLINE void retract_copy(
 }
 
 /* State moved by an error: values and structural non-zeros. */
-SINGLE_POINT_INLINE flag_t retract_kernel(const retract_input_t *in, retract_output_t *out)
+SINGLE_POINT_INLINE single_point_flag_t
+    retract_kernel(const retract_input_t *in, retract_output_t *out)
 {
 
     out->value[0] = in->position_x_2 + in->position_x;  /* position x */
@@ -82,7 +84,7 @@ SINGLE_POINT_INLINE flag_t retract_kernel(const retract_input_t *in, retract_out
     out->value[2] = in->position_z_2 + in->position_z;  /* position z */
     out->value[3] = in->clock_bias + in->clock_bias_2;  /* clock_bias */
 
-    return (flag_t)SINGLE_POINT_OK;
+    return (single_point_flag_t)SINGLE_POINT_OK;
 }
 
 #endif /* SINGLE_POINT_RETRACT_KERNEL_H */

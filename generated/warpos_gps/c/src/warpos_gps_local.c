@@ -78,20 +78,21 @@ warpos_gps_status_t warpos_gps_local(
 }
 
 /* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static WARPOS_GPS_WIDE flag_t local_check_lanes(
+static WARPOS_GPS_WIDE warpos_gps_flag_t local_check_lanes(
     int32_t count,
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
     const warpos_gps_real_t y[WARPOS_GPS_RESTRICT],
-    flag_t codes[WARPOS_GPS_RESTRICT WARPOS_GPS_LOCAL_LANES])
+    warpos_gps_flag_t codes[WARPOS_GPS_RESTRICT WARPOS_GPS_LOCAL_LANES])
 {
-    flag_t failed = 0U;
+    warpos_gps_flag_t failed = 0U;
 
     WARPOS_GPS_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         local_input_t in;
         local_output_t out;
-        const flag_t loaded = local_load(&x[lane], &y[lane], WARPOS_GPS_LOCAL_LANES, &in);
-        const flag_t evaluated = local_kernel(&in, &out);
+        const warpos_gps_flag_t loaded =
+            local_load(&x[lane], &y[lane], WARPOS_GPS_LOCAL_LANES, &in);
+        const warpos_gps_flag_t evaluated = local_kernel(&in, &out);
 
         codes[lane] = first_failure(loaded, evaluated);
         failed |= codes[lane];
@@ -125,22 +126,22 @@ static warpos_gps_status_t local_block(
     warpos_gps_real_t value[WARPOS_GPS_RESTRICT],
     uint8_t status[WARPOS_GPS_RESTRICT])
 {
-    flag_t codes[WARPOS_GPS_LOCAL_LANES];
-    const flag_t failed = local_check_lanes(count, x, y, codes);
+    warpos_gps_flag_t codes[WARPOS_GPS_LOCAL_LANES];
+    const warpos_gps_flag_t failed = local_check_lanes(count, x, y, codes);
 
     for (int32_t lane = 0; lane < count; ++lane) {
         status[lane] = (uint8_t)codes[lane];
     }
-    if (failed == (flag_t)WARPOS_GPS_OK) {
+    if (failed == (warpos_gps_flag_t)WARPOS_GPS_OK) {
         local_evaluate_lanes(count, x, y, value);
     } else {
         for (int32_t lane = 0; lane < count; ++lane) {
-            if (codes[lane] == (flag_t)WARPOS_GPS_OK) {
+            if (codes[lane] == (warpos_gps_flag_t)WARPOS_GPS_OK) {
                 local_evaluate_lanes(1, &x[lane], &y[lane], &value[lane]);
             }
         }
     }
-    return (failed == (flag_t)WARPOS_GPS_OK) ? WARPOS_GPS_OK : WARPOS_GPS_PARTIAL;
+    return (failed == (warpos_gps_flag_t)WARPOS_GPS_OK) ? WARPOS_GPS_OK : WARPOS_GPS_PARTIAL;
 }
 
 warpos_gps_status_t warpos_gps_local_blocks(

@@ -178,20 +178,20 @@ warpos_gps_status_t warpos_gps_measurement_by_column_nz(
 }
 
 /* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static WARPOS_GPS_WIDE flag_t measurement_by_column_check_lanes(
+static WARPOS_GPS_WIDE warpos_gps_flag_t measurement_by_column_check_lanes(
     int32_t count,
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
-    flag_t codes[WARPOS_GPS_RESTRICT WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES])
+    warpos_gps_flag_t codes[WARPOS_GPS_RESTRICT WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES])
 {
-    flag_t failed = 0U;
+    warpos_gps_flag_t failed = 0U;
 
     WARPOS_GPS_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         measurement_by_column_input_t in;
         measurement_by_column_output_t out;
-        const flag_t loaded =
+        const warpos_gps_flag_t loaded =
             measurement_by_column_load(&x[lane], WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES, &in);
-        const flag_t evaluated = measurement_by_column_kernel(&in, &out);
+        const warpos_gps_flag_t evaluated = measurement_by_column_kernel(&in, &out);
 
         codes[lane] = first_failure(loaded, evaluated);
         failed |= codes[lane];
@@ -227,22 +227,22 @@ static warpos_gps_status_t measurement_by_column_block(
     warpos_gps_real_t jacobian_nz[WARPOS_GPS_RESTRICT],
     uint8_t status[WARPOS_GPS_RESTRICT])
 {
-    flag_t codes[WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES];
-    const flag_t failed = measurement_by_column_check_lanes(count, x, codes);
+    warpos_gps_flag_t codes[WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES];
+    const warpos_gps_flag_t failed = measurement_by_column_check_lanes(count, x, codes);
 
     for (int32_t lane = 0; lane < count; ++lane) {
         status[lane] = (uint8_t)codes[lane];
     }
-    if (failed == (flag_t)WARPOS_GPS_OK) {
+    if (failed == (warpos_gps_flag_t)WARPOS_GPS_OK) {
         measurement_by_column_evaluate_lanes(count, x, value, jacobian_nz);
     } else {
         for (int32_t lane = 0; lane < count; ++lane) {
-            if (codes[lane] == (flag_t)WARPOS_GPS_OK) {
+            if (codes[lane] == (warpos_gps_flag_t)WARPOS_GPS_OK) {
                 measurement_by_column_evaluate_lanes(1, &x[lane], &value[lane], &jacobian_nz[lane]);
             }
         }
     }
-    return (failed == (flag_t)WARPOS_GPS_OK) ? WARPOS_GPS_OK : WARPOS_GPS_PARTIAL;
+    return (failed == (warpos_gps_flag_t)WARPOS_GPS_OK) ? WARPOS_GPS_OK : WARPOS_GPS_PARTIAL;
 }
 
 warpos_gps_status_t warpos_gps_measurement_by_column_blocks(

@@ -25,19 +25,19 @@ typedef struct {
 } measurement_output_t;
 
 /* Check and copy the inputs of one call. */
-WARPOS_GPS_INLINE flag_t measurement_load(
+WARPOS_GPS_INLINE warpos_gps_flag_t measurement_load(
     const warpos_gps_real_t x[],
     int32_t stride,
     measurement_input_t *in)
 {
-    flag_t outside = 0U;
+    warpos_gps_flag_t outside = 0U;
 
     /* position [m, in f] */
     outside |= take_centred(x[4 * stride], 1000000000.0, &in->position_x);
     outside |= take_centred(x[5 * stride], 1000000000.0, &in->position_y);
     outside |= take_centred(x[6 * stride], 1000000000.0, &in->position_z);
 
-    return (outside != 0U) ? (flag_t)WARPOS_GPS_RANGE : (flag_t)WARPOS_GPS_OK;
+    return (outside != 0U) ? (warpos_gps_flag_t)WARPOS_GPS_RANGE : (warpos_gps_flag_t)WARPOS_GPS_OK;
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -52,7 +52,7 @@ WARPOS_GPS_INLINE void measurement_copy(
 }
 
 /* Position of a GNSS antenna: values and structural non-zeros. */
-WARPOS_GPS_INLINE flag_t measurement_kernel(
+WARPOS_GPS_INLINE warpos_gps_flag_t measurement_kernel(
     const measurement_input_t *in,
     measurement_output_t *out)
 {
@@ -65,7 +65,7 @@ WARPOS_GPS_INLINE flag_t measurement_kernel(
     out->jacobian[1] = 1.0;  /* value y, position y */
     out->jacobian[2] = 1.0;  /* value z, position z */
 
-    return (flag_t)WARPOS_GPS_OK;
+    return (warpos_gps_flag_t)WARPOS_GPS_OK;
 }
 
 #endif /* WARPOS_GPS_MEASUREMENT_KERNEL_H */

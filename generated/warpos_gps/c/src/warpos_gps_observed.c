@@ -171,21 +171,21 @@ warpos_gps_status_t warpos_gps_observed_nz(
 }
 
 /* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static WARPOS_GPS_WIDE flag_t observed_check_lanes(
+static WARPOS_GPS_WIDE warpos_gps_flag_t observed_check_lanes(
     int32_t count,
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
     const warpos_gps_real_t observer_attitude[WARPOS_GPS_RESTRICT],
-    flag_t codes[WARPOS_GPS_RESTRICT WARPOS_GPS_OBSERVED_LANES])
+    warpos_gps_flag_t codes[WARPOS_GPS_RESTRICT WARPOS_GPS_OBSERVED_LANES])
 {
-    flag_t failed = 0U;
+    warpos_gps_flag_t failed = 0U;
 
     WARPOS_GPS_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         observed_input_t in;
         observed_output_t out;
-        const flag_t loaded =
+        const warpos_gps_flag_t loaded =
             observed_load(&x[lane], &observer_attitude[lane], WARPOS_GPS_OBSERVED_LANES, &in);
-        const flag_t evaluated = observed_kernel(&in, &out);
+        const warpos_gps_flag_t evaluated = observed_kernel(&in, &out);
 
         codes[lane] = first_failure(loaded, evaluated);
         failed |= codes[lane];
@@ -222,23 +222,23 @@ static warpos_gps_status_t observed_block(
     warpos_gps_real_t jacobian_nz[WARPOS_GPS_RESTRICT],
     uint8_t status[WARPOS_GPS_RESTRICT])
 {
-    flag_t codes[WARPOS_GPS_OBSERVED_LANES];
-    const flag_t failed = observed_check_lanes(count, x, observer_attitude, codes);
+    warpos_gps_flag_t codes[WARPOS_GPS_OBSERVED_LANES];
+    const warpos_gps_flag_t failed = observed_check_lanes(count, x, observer_attitude, codes);
 
     for (int32_t lane = 0; lane < count; ++lane) {
         status[lane] = (uint8_t)codes[lane];
     }
-    if (failed == (flag_t)WARPOS_GPS_OK) {
+    if (failed == (warpos_gps_flag_t)WARPOS_GPS_OK) {
         observed_evaluate_lanes(count, x, observer_attitude, value, jacobian_nz);
     } else {
         for (int32_t lane = 0; lane < count; ++lane) {
-            if (codes[lane] == (flag_t)WARPOS_GPS_OK) {
+            if (codes[lane] == (warpos_gps_flag_t)WARPOS_GPS_OK) {
                 observed_evaluate_lanes(1, &x[lane], &observer_attitude[lane], &value[lane],
                     &jacobian_nz[lane]);
             }
         }
     }
-    return (failed == (flag_t)WARPOS_GPS_OK) ? WARPOS_GPS_OK : WARPOS_GPS_PARTIAL;
+    return (failed == (warpos_gps_flag_t)WARPOS_GPS_OK) ? WARPOS_GPS_OK : WARPOS_GPS_PARTIAL;
 }
 
 warpos_gps_status_t warpos_gps_observed_blocks(

@@ -30,14 +30,14 @@ typedef struct {
 } observed_by_column_output_t;
 
 /* Check and copy the inputs of one call. */
-WARPOS_GPS_INLINE flag_t observed_by_column_load(
+WARPOS_GPS_INLINE warpos_gps_flag_t observed_by_column_load(
     const warpos_gps_real_t x[],
     const warpos_gps_real_t observer_attitude[],
     int32_t stride,
     observed_by_column_input_t *in)
 {
-    flag_t outside = 0U;
-    flag_t skewed = 0U;
+    warpos_gps_flag_t outside = 0U;
+    warpos_gps_flag_t skewed = 0U;
 
     /* position [m, in f] */
     outside |= take_centred(x[4 * stride], 1000000000.0, &in->position_x);
@@ -52,8 +52,8 @@ WARPOS_GPS_INLINE flag_t observed_by_column_load(
     skewed |= is_skewed_quaternion(in->observer_attitude_w, in->observer_attitude_x,
         in->observer_attitude_y, in->observer_attitude_z, 1.0e-05);
 
-    return (outside != 0U) ? (flag_t)WARPOS_GPS_RANGE :
-        ((skewed != 0U) ? (flag_t)WARPOS_GPS_QNORM : (flag_t)WARPOS_GPS_OK);
+    return (outside != 0U) ? (warpos_gps_flag_t)WARPOS_GPS_RANGE :
+        ((skewed != 0U) ? (warpos_gps_flag_t)WARPOS_GPS_QNORM : (warpos_gps_flag_t)WARPOS_GPS_OK);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -73,7 +73,7 @@ WARPOS_GPS_INLINE void observed_by_column_copy(
 }
 
 /* Position of a GNSS antenna: values and structural non-zeros. */
-WARPOS_GPS_INLINE flag_t observed_by_column_kernel(
+WARPOS_GPS_INLINE warpos_gps_flag_t observed_by_column_kernel(
     const observed_by_column_input_t *in,
     observed_by_column_output_t *out)
 {
@@ -136,7 +136,7 @@ WARPOS_GPS_INLINE flag_t observed_by_column_kernel(
     out->jacobian[7] = observer_attitude_12;  /* value z, position y */
     out->jacobian[8] = observer_attitude_22;  /* value z, position z */
 
-    return (flag_t)WARPOS_GPS_OK;
+    return (warpos_gps_flag_t)WARPOS_GPS_OK;
 }
 
 #endif /* WARPOS_GPS_OBSERVED_BY_COLUMN_KERNEL_H */

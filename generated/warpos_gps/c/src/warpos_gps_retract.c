@@ -78,20 +78,21 @@ warpos_gps_status_t warpos_gps_retract(
 }
 
 /* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static WARPOS_GPS_WIDE flag_t retract_check_lanes(
+static WARPOS_GPS_WIDE warpos_gps_flag_t retract_check_lanes(
     int32_t count,
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
     const warpos_gps_real_t d[WARPOS_GPS_RESTRICT],
-    flag_t codes[WARPOS_GPS_RESTRICT WARPOS_GPS_RETRACT_LANES])
+    warpos_gps_flag_t codes[WARPOS_GPS_RESTRICT WARPOS_GPS_RETRACT_LANES])
 {
-    flag_t failed = 0U;
+    warpos_gps_flag_t failed = 0U;
 
     WARPOS_GPS_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         retract_input_t in;
         retract_output_t out;
-        const flag_t loaded = retract_load(&x[lane], &d[lane], WARPOS_GPS_RETRACT_LANES, &in);
-        const flag_t evaluated = retract_kernel(&in, &out);
+        const warpos_gps_flag_t loaded =
+            retract_load(&x[lane], &d[lane], WARPOS_GPS_RETRACT_LANES, &in);
+        const warpos_gps_flag_t evaluated = retract_kernel(&in, &out);
 
         codes[lane] = first_failure(loaded, evaluated);
         failed |= codes[lane];
@@ -125,22 +126,22 @@ static warpos_gps_status_t retract_block(
     warpos_gps_real_t value[WARPOS_GPS_RESTRICT],
     uint8_t status[WARPOS_GPS_RESTRICT])
 {
-    flag_t codes[WARPOS_GPS_RETRACT_LANES];
-    const flag_t failed = retract_check_lanes(count, x, d, codes);
+    warpos_gps_flag_t codes[WARPOS_GPS_RETRACT_LANES];
+    const warpos_gps_flag_t failed = retract_check_lanes(count, x, d, codes);
 
     for (int32_t lane = 0; lane < count; ++lane) {
         status[lane] = (uint8_t)codes[lane];
     }
-    if (failed == (flag_t)WARPOS_GPS_OK) {
+    if (failed == (warpos_gps_flag_t)WARPOS_GPS_OK) {
         retract_evaluate_lanes(count, x, d, value);
     } else {
         for (int32_t lane = 0; lane < count; ++lane) {
-            if (codes[lane] == (flag_t)WARPOS_GPS_OK) {
+            if (codes[lane] == (warpos_gps_flag_t)WARPOS_GPS_OK) {
                 retract_evaluate_lanes(1, &x[lane], &d[lane], &value[lane]);
             }
         }
     }
-    return (failed == (flag_t)WARPOS_GPS_OK) ? WARPOS_GPS_OK : WARPOS_GPS_PARTIAL;
+    return (failed == (warpos_gps_flag_t)WARPOS_GPS_OK) ? WARPOS_GPS_OK : WARPOS_GPS_PARTIAL;
 }
 
 warpos_gps_status_t warpos_gps_retract_blocks(

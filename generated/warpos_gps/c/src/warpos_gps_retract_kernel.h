@@ -51,13 +51,13 @@ typedef struct {
 } retract_output_t;
 
 /* Check and copy the inputs of one call. */
-WARPOS_GPS_INLINE flag_t retract_load(
+WARPOS_GPS_INLINE warpos_gps_flag_t retract_load(
     const warpos_gps_real_t x[],
     const warpos_gps_real_t d[],
     int32_t stride,
     retract_input_t *in)
 {
-    flag_t outside = 0U;
+    warpos_gps_flag_t outside = 0U;
 
     /* leading */
     outside |= take_centred(x[0], 1000000000.0, &in->leading_0);
@@ -101,7 +101,7 @@ WARPOS_GPS_INLINE flag_t retract_load(
     outside |= take_centred(d[13 * stride], 1000000000.0, &in->trailing_6_2);
     outside |= take_centred(d[14 * stride], 1000000000.0, &in->trailing_7_2);
 
-    return (outside != 0U) ? (flag_t)WARPOS_GPS_RANGE : (flag_t)WARPOS_GPS_OK;
+    return (outside != 0U) ? (warpos_gps_flag_t)WARPOS_GPS_RANGE : (warpos_gps_flag_t)WARPOS_GPS_OK;
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -144,7 +144,7 @@ WARPOS_GPS_INLINE void retract_copy(
 }
 
 /* State moved by an error: values and structural non-zeros. */
-WARPOS_GPS_INLINE flag_t retract_kernel(const retract_input_t *in, retract_output_t *out)
+WARPOS_GPS_INLINE warpos_gps_flag_t retract_kernel(const retract_input_t *in, retract_output_t *out)
 {
 
     out->value[0] = in->leading_0_2 + in->leading_0;  /* leading 0 */
@@ -163,7 +163,7 @@ WARPOS_GPS_INLINE flag_t retract_kernel(const retract_input_t *in, retract_outpu
     out->value[13] = in->trailing_6_2 + in->trailing_6;  /* trailing 6 */
     out->value[14] = in->trailing_7_2 + in->trailing_7;  /* trailing 7 */
 
-    return (flag_t)WARPOS_GPS_OK;
+    return (warpos_gps_flag_t)WARPOS_GPS_OK;
 }
 
 #endif /* WARPOS_GPS_RETRACT_KERNEL_H */

@@ -97,7 +97,7 @@ warpos_gps_status_t warpos_gps_to_state_frame(
 }
 
 /* Check a block of epochs; the compiler runs neighbouring epochs in one vector register. */
-static WARPOS_GPS_WIDE flag_t to_state_frame_check_lanes(
+static WARPOS_GPS_WIDE warpos_gps_flag_t to_state_frame_check_lanes(
     int32_t count,
     const warpos_gps_real_t observer_attitude[WARPOS_GPS_RESTRICT],
     const warpos_gps_real_t receiver_position[WARPOS_GPS_RESTRICT],
@@ -105,18 +105,18 @@ static WARPOS_GPS_WIDE flag_t to_state_frame_check_lanes(
     const warpos_gps_real_t attitude[WARPOS_GPS_RESTRICT],
     const warpos_gps_real_t lever_arm[WARPOS_GPS_RESTRICT],
     const warpos_gps_real_t covariance_2[WARPOS_GPS_RESTRICT],
-    flag_t codes[WARPOS_GPS_RESTRICT WARPOS_GPS_TO_STATE_FRAME_LANES])
+    warpos_gps_flag_t codes[WARPOS_GPS_RESTRICT WARPOS_GPS_TO_STATE_FRAME_LANES])
 {
-    flag_t failed = 0U;
+    warpos_gps_flag_t failed = 0U;
 
     WARPOS_GPS_IVDEP
     for (int32_t lane = 0; lane < count; ++lane) {
         to_state_frame_input_t in;
         to_state_frame_output_t out;
-        const flag_t loaded = to_state_frame_load(&observer_attitude[lane],
+        const warpos_gps_flag_t loaded = to_state_frame_load(&observer_attitude[lane],
             &receiver_position[lane], &origin_offset[lane], &attitude[lane], &lever_arm[lane],
             &covariance_2[lane], WARPOS_GPS_TO_STATE_FRAME_LANES, &in);
-        const flag_t evaluated = to_state_frame_kernel(&in, &out);
+        const warpos_gps_flag_t evaluated = to_state_frame_kernel(&in, &out);
 
         codes[lane] = first_failure(loaded, evaluated);
         failed |= codes[lane];
@@ -164,26 +164,27 @@ static warpos_gps_status_t to_state_frame_block(
     warpos_gps_real_t value_covariance[WARPOS_GPS_RESTRICT],
     uint8_t status[WARPOS_GPS_RESTRICT])
 {
-    flag_t codes[WARPOS_GPS_TO_STATE_FRAME_LANES];
-    const flag_t failed = to_state_frame_check_lanes(count, observer_attitude, receiver_position,
+    warpos_gps_flag_t codes[WARPOS_GPS_TO_STATE_FRAME_LANES];
+    const warpos_gps_flag_t failed =
+        to_state_frame_check_lanes(count, observer_attitude, receiver_position,
         origin_offset, attitude, lever_arm, covariance_2, codes);
 
     for (int32_t lane = 0; lane < count; ++lane) {
         status[lane] = (uint8_t)codes[lane];
     }
-    if (failed == (flag_t)WARPOS_GPS_OK) {
+    if (failed == (warpos_gps_flag_t)WARPOS_GPS_OK) {
         to_state_frame_evaluate_lanes(count, observer_attitude, receiver_position, origin_offset,
             attitude, lever_arm, covariance_2, value, value_covariance);
     } else {
         for (int32_t lane = 0; lane < count; ++lane) {
-            if (codes[lane] == (flag_t)WARPOS_GPS_OK) {
+            if (codes[lane] == (warpos_gps_flag_t)WARPOS_GPS_OK) {
                 to_state_frame_evaluate_lanes(1, &observer_attitude[lane], &receiver_position[lane],
                     &origin_offset[lane], &attitude[lane], &lever_arm[lane], &covariance_2[lane],
                     &value[lane], &value_covariance[lane]);
             }
         }
     }
-    return (failed == (flag_t)WARPOS_GPS_OK) ? WARPOS_GPS_OK : WARPOS_GPS_PARTIAL;
+    return (failed == (warpos_gps_flag_t)WARPOS_GPS_OK) ? WARPOS_GPS_OK : WARPOS_GPS_PARTIAL;
 }
 
 warpos_gps_status_t warpos_gps_to_state_frame_blocks(

@@ -48,7 +48,7 @@ typedef struct {
 } to_state_frame_output_t;
 
 /* Check and copy the inputs of one call. */
-WARPOS_GPS_INLINE flag_t to_state_frame_load(
+WARPOS_GPS_INLINE warpos_gps_flag_t to_state_frame_load(
     const warpos_gps_real_t observer_attitude[],
     const warpos_gps_real_t receiver_position[],
     const warpos_gps_real_t origin_offset[],
@@ -58,8 +58,8 @@ WARPOS_GPS_INLINE flag_t to_state_frame_load(
     int32_t stride,
     to_state_frame_input_t *in)
 {
-    flag_t outside = 0U;
-    flag_t skewed = 0U;
+    warpos_gps_flag_t outside = 0U;
+    warpos_gps_flag_t skewed = 0U;
 
     /* observer_attitude [ref -> f] */
     outside |= take_centred(observer_attitude[0], 1.00001, &in->observer_attitude_w);
@@ -103,8 +103,8 @@ WARPOS_GPS_INLINE flag_t to_state_frame_load(
     outside |= take_centred(covariance_2[7 * stride], 1000000000000.0, &in->covariance_2_7);
     outside |= take_centred(covariance_2[8 * stride], 1000000000000.0, &in->covariance_2_8);
 
-    return (outside != 0U) ? (flag_t)WARPOS_GPS_RANGE :
-        ((skewed != 0U) ? (flag_t)WARPOS_GPS_QNORM : (flag_t)WARPOS_GPS_OK);
+    return (outside != 0U) ? (warpos_gps_flag_t)WARPOS_GPS_RANGE :
+        ((skewed != 0U) ? (warpos_gps_flag_t)WARPOS_GPS_QNORM : (warpos_gps_flag_t)WARPOS_GPS_OK);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -148,7 +148,7 @@ WARPOS_GPS_INLINE void to_state_frame_copy(
 
 /* Receiver position transformed to the state's frame and origin: values and structural non-
    zeros. */
-WARPOS_GPS_INLINE flag_t to_state_frame_kernel(
+WARPOS_GPS_INLINE warpos_gps_flag_t to_state_frame_kernel(
     const to_state_frame_input_t *in,
     to_state_frame_output_t *out)
 {
@@ -287,7 +287,7 @@ WARPOS_GPS_INLINE flag_t to_state_frame_kernel(
         (observer_attitude_21 * value_covariance_half_7) +
         (observer_attitude_22 * value_covariance_half_8);
 
-    return (flag_t)WARPOS_GPS_OK;
+    return (warpos_gps_flag_t)WARPOS_GPS_OK;
 }
 
 #endif /* WARPOS_GPS_TO_STATE_FRAME_KERNEL_H */
