@@ -372,7 +372,14 @@ class Scalar(StrEnum):
 class Module:
     """Everything one generated package holds, for one scalar type.
 
-    ``functions`` starts with ``retract`` and ``local`` and goes on in the order of the spec.
+    Attributes:
+        name: leads every symbol.
+        scalar: floating-point type of the C.
+        state: the layout.
+        functions: ``retract`` and ``local`` first, then in the order of the spec.
+        digest: of the specification.
+        generator: what made it.
+        batches: False to leave out the entry points for many epochs.
     """
 
     name: str
@@ -381,3 +388,4 @@ class Module:
     functions: tuple[Function, ...]
     digest: str
     generator: str
+    batches: bool = True

@@ -272,6 +272,7 @@ def export(
     *,
     scalar: str = "double",
     tolerance: float | None = None,
+    batches: bool = False,
     proofs: bool = False,
     force: bool = False,
     progress: Progress = _silent,
@@ -283,6 +284,7 @@ def export(
         folder: becomes the bundle.
         scalar: ``double`` or ``float``.
         tolerance: largest rounding error of a value that is accepted, in the value's unit.
+        batches: entry points for many epochs as well.
         proofs: run every proof whose tool is installed over what was written.
         force: write over changes made by hand.
         progress: told each stage.
@@ -299,11 +301,11 @@ def export(
 
     if not force:
         writing.protect(folder)
-    made = bundle(spec, scalar, tolerance, progress)
+    made = bundle(spec, scalar, tolerance, batches=batches, progress=progress)
     text = assemble(made, progress)
     progress("write")
     scalars = [tree.module.scalar.value for tree in made.trees]
-    options = {"scalar": scalar, "tolerance": tolerance}
+    options = {"scalar": scalar, "tolerance": tolerance, "batches": batches}
     written = writing.write(folder, text, digest(spec), scalars, options)
     contents = tuple(
         (tree.prefix, tree.module.scalar.value, tuple(f.name for f in tree.module.functions))
@@ -317,6 +319,8 @@ def bundle(
     spec: Spec,
     scalar: str = "double",
     tolerance: float | None = None,
+    *,
+    batches: bool = False,
     progress: Progress = _silent,
 ) -> Bundle:
     """What ``export`` writes, before its files are assembled; see there.
@@ -333,12 +337,13 @@ def bundle(
     progress("lower")
     modules = _modules(spec, derived, ir.Scalar(scalar))
     progress("bound")
-    modules = [with_bounds(module) for module in modules]
+    modules = [replace(with_bounds(module), batches=batches) for module in modules]
     refuse_beyond(modules, tolerance)
     progress("emit")
     trees = tuple(_tree(module) for module in modules)
     derivations = (*derived.layout, *derived.entries)
-    return Bundle(spec, derivations, trees, Options(ir.Scalar(scalar), tolerance))
+    options = Options(ir.Scalar(scalar), tolerance, batches)
+    return Bundle(spec, derivations, trees, options)
 
 
 def _modules(spec: Spec, derived: Derived, scalar: ir.Scalar) -> list[ir.Module]:

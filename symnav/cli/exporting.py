@@ -48,6 +48,7 @@ Examples:
     help="Refuse when rounding can move a value of a measurement or correction by more than this, "
     "in the value's unit; Jacobians do not count.",
 )
+@click.option("--batches", is_flag=True, help="Entry points for many epochs as well.")
 @click.option("--prove", is_flag=True, help="Run every proof whose tool is installed.")
 @click.option("--force", is_flag=True, help="Write over changes made by hand.")
 @click.pass_context
@@ -57,6 +58,7 @@ def export(
     folder: Path,
     scalar: str,
     tolerance: float | None,
+    batches: bool,
     prove: bool,
     force: bool,
     as_json: bool,
@@ -77,6 +79,7 @@ def export(
             folder,
             scalar=scalar,
             tolerance=tolerance,
+            batches=batches,
             proofs=prove,
             force=force,
             progress=reporter.stage,

@@ -33,7 +33,9 @@ def regenerate(bundle: Bundle) -> str:
         return ""
     options = bundle.options
     tolerance = "" if options.tolerance is None else f" --tolerance {options.tolerance!r}"
-    return f"symnav export spec.toml --to DIR --scalar {options.scalar.value}{tolerance}"
+    batches = " --batches" if options.batches else ""
+    chosen = f"{options.scalar.value}{tolerance}{batches}"
+    return f"symnav export spec.toml --to DIR --scalar {chosen}"
 
 
 def _readme(bundle: Bundle, program: str) -> str:

@@ -18,10 +18,12 @@ class Options:
         scalar: type the functions are wanted in.
         tolerance: largest rounding error of a value that is accepted, in the value's unit; None
             for any.
+        batches: True for entry points over many epochs as well.
     """
 
     scalar: ir.Scalar
     tolerance: float | None = None
+    batches: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -68,3 +68,16 @@ def test_folder_of_somebody_else(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="not generated"):
         pipeline.export(pipeline.load("warpos_gps"), tmp_path)
     assert files(tmp_path) == {"notes.txt": b"mine"}
+
+
+def test_entry_points_for_many_epochs_come_when_asked_for(tmp_path: Path) -> None:
+    spec = pipeline.load("farrell_tightly_coupled")
+    pipeline.export(spec, tmp_path / "one")
+    pipeline.export(spec, tmp_path / "many", batches=True)
+    one, many = files(tmp_path / "one"), files(tmp_path / "many")
+    kernels = [path for path in one if path.endswith("_kernel.h")]
+    assert kernels and all(one[path] == many[path] for path in kernels)
+    c = {path: text for path, text in one.items() if path.endswith((".c", ".h"))}
+    assert not any(b"_batch" in text or b"_blocks" in text for text in c.values())
+    header = many["include/farrell_tightly_coupled/farrell_tightly_coupled.h"]
+    assert b"pseudorange_batch_nz(" in header and b"retract_blocks(" in header

@@ -80,8 +80,13 @@ class Blocks:
         } | {"lanes_to_rows"}
 
     def routines(self) -> list[Routine]:
-        """Functions that store values in full, a stride apart, where some of them are zero."""
-        return [store.spreading() for store in self._value_stores() if not store.complete]
+        """Functions that copy what was checked, and that store values in full, a stride apart."""
+        inputs = self.kernel.inputs
+        # Without checks, loading is copying.
+        copies = self.kernel.fallible and inputs.copied_arguments
+        copiers = [inputs.copier()] if copies else []
+        spreads = [store.spreading() for store in self._value_stores() if not store.complete]
+        return [*copiers, *spreads]
 
     def context(self, entries: dict[str, EntryPoint]) -> dict[str, object]:
         """What the template says about many epochs."""

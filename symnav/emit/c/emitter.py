@@ -93,17 +93,18 @@ def sections(module: ir.Module) -> tuple[Section, ...]:
 def _sources_of(module: ir.Module, target: Target) -> list[Single | Mapped | Differenced]:
     for function in module.functions:
         refuse_slots_beyond(function)
-    return [
-        _source_of(Kernel(target, with_free_names(function), f"{target.prefix}_{function.name}"))
+    kernels = [
+        Kernel(target, with_free_names(function), f"{target.prefix}_{function.name}")
         for function in module.functions
     ]
+    return [_source_of(kernel, batches=module.batches) for kernel in kernels]
 
 
-def _source_of(kernel: Kernel) -> Single | Mapped | Differenced:
+def _source_of(kernel: Kernel, *, batches: bool) -> Single | Mapped | Differenced:
     """What writes the source file of a function."""
     if not kernel.mapped:
-        return Single(kernel)
-    mapped = Mapped(kernel)
+        return Single(kernel, batches)
+    mapped = Mapped(kernel, batches)
     return Differenced(mapped) if kernel.function.single_difference else mapped
 
 
@@ -121,7 +122,8 @@ def _kernel_header(module: ir.Module, kernel: Kernel) -> str:
 
 def _check_header(module: ir.Module, target: Target, kernels: Sequence[Kernel]) -> str:
     wanted = {"first_failure"}.union(*(kernel.helpers() for kernel in kernels))
-    wanted.update(*(Blocks(kernel).helpers() for kernel in kernels if not kernel.mapped))
+    if module.batches:
+        wanted.update(*(Blocks(kernel).helpers() for kernel in kernels if not kernel.mapped))
     if any(kernel.function.single_difference and kernel.function.guarded for kernel in kernels):
         wanted.add("take_value")
     for helper in reversed(tuple(_HELPERS)):

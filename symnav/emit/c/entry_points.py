@@ -18,9 +18,15 @@ from symnav.emit.templates import render
 
 @dataclass(frozen=True, slots=True)
 class Single:
-    """The source file of a function that is not mapped."""
+    """The source file of a function that is not mapped.
+
+    Attributes:
+        kernel: what the entry points call.
+        batches: True when there are entry points for many epochs.
+    """
 
     kernel: Kernel
+    batches: bool
 
     def entry_points(self) -> list[EntryPoint]:
         """Public symbols in the order of the header."""
@@ -40,7 +46,7 @@ class Single:
             brief = f"{function.title}: values and structural non-zeros of the Jacobians."
             parameters = (*arguments, *interface.nonzero_outputs())
             listed.append(EntryPoint(f"{symbol}_nz", brief, parameters))
-        return [*listed, *Blocks(self.kernel).entry_points()]
+        return [*listed, *(Blocks(self.kernel).entry_points() if self.batches else [])]
 
     def source(self, banner: Sequence[str]) -> str:
         """Text of the source file."""
@@ -59,18 +65,20 @@ class Single:
             symbol=symbol,
             routines=self._routines(),
             calls=calls,
-            blocks=Blocks(self.kernel).context(entries),
+            blocks=Blocks(self.kernel).context(entries) if self.batches else None,
         )
 
     def _routines(self) -> list[Routine]:
         outputs = self.kernel.function.outputs
         puts = [store.putting() for store in stores_of(self.kernel, self.kernel.results, Use.DENSE)]
+        uses = (Use.DENSE, Use.STACKED) if self.batches else (Use.DENSE,)
         fills = {
             store.fill: store.filling()
-            for use in (Use.DENSE, Use.STACKED)
+            for use in uses
             for store in stores_of(self.kernel, outputs, use)
         }
-        return [*puts, *Blocks(self.kernel).routines(), *fills.values()]
+        blocks = Blocks(self.kernel).routines() if self.batches else []
+        return [*puts, *blocks, *fills.values()]
 
     def _dense_stores(self, outputs: Sequence[ir.Output]) -> list[str]:
         return [

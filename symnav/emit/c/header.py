@@ -54,7 +54,7 @@ class Section:
         listed: list[Enumerator] = []
         if function.maximum is not None:
             listed.append(Enumerator(f"{stem}_MAX_ITEMS", function.maximum, "most items in a call"))
-        else:
+        elif any(entry.symbol.endswith("_blocks") for entry in self.entries):
             macro = Blocks(self.kernel).macro
             listed.append(Enumerator(macro, lanes_of(function), "epochs in one block"))
         for output in function.outputs:

@@ -150,11 +150,7 @@ class Kernel:
         """Loaders and kernels, in the order they are called."""
         loaders = [self.inputs.loader(item=False)]
         if not self.mapped:
-            # Without checks, loading is copying.
-            copiers = (
-                [self.inputs.copier()] if self.fallible and self.inputs.copied_arguments else []
-            )
-            return [*loaders, *copiers, self._single()]
+            return [*loaders, self._single()]
         return [*loaders, self._shared(), self.inputs.loader(item=True), self._item()]
 
     def helpers(self) -> set[str]:

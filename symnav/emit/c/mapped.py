@@ -28,7 +28,13 @@ LANES = 16
 
 @dataclass(frozen=True, slots=True)
 class Mapped(ItemLoops):
-    """The source file of a mapped function."""
+    """The source file of a mapped function.
+
+    Attributes:
+        batches: True when there are entry points for many epochs.
+    """
+
+    batches: bool
 
     def entry_points(self) -> list[EntryPoint]:
         """Public symbols in the order of the header."""
@@ -48,6 +54,8 @@ class Mapped(ItemLoops):
             brief = f"{function.title}: values and structural non-zeros of the Jacobians."
             parameters = (*arguments, *interface.nonzero_outputs(), *status)
             listed.append(EntryPoint(f"{symbol}_nz", brief, parameters))
+        if not self.batches:
+            return listed
         parameters = (EPOCHS, *interface.stepped_arguments(), *interface.stacked_outputs())
         brief = f"{function.title}: many epochs in one call, the same number of items in each."
         listed.append(EntryPoint(f"{symbol}_batch", brief, parameters))
@@ -89,7 +97,7 @@ class Mapped(ItemLoops):
                 for suffix, _, _ in kinds
             ],
             columns=Columns(self.kernel).columns(entries) if has_nonzeros(function) else None,
-            batches=self._batches(entries, by_row=stacked),
+            batches=self._batches(entries, by_row=stacked) if self.batches else [],
         )
 
     def prologue(self) -> dict[str, object]:
@@ -144,7 +152,9 @@ class Mapped(ItemLoops):
 
     def _stacks_by_row(self) -> bool:
         outputs = self.kernel.function.outputs
-        return any(store.suffix for store in stores_of(self.kernel, outputs, Use.STACKED))
+        return self.batches and any(
+            store.suffix for store in stores_of(self.kernel, outputs, Use.STACKED)
+        )
 
     @staticmethod
     def _per_item(outputs: Iterable[ir.Output]) -> list[ir.Output]:
@@ -168,7 +178,7 @@ class Mapped(ItemLoops):
     def _routines(self) -> list[Routine]:
         kernel, function = self.kernel, self.kernel.function
         puts = [store.putting() for store in stores_of(kernel, kernel.results, Use.DENSE)]
-        uses = [Use.DENSE, Use.STACKED]
+        uses = [Use.DENSE, *([Use.STACKED] if self.batches else [])]
         fills = {
             store.fill: store.filling()
             for use in uses

@@ -60,6 +60,28 @@ EKF_CAL_GPS_INLINE void gps_put_jacobian(
     nonzeros[20 * stride] = out->jacobian[20];
 }
 
+/* Copy the inputs of one call that has passed its checks. */
+EKF_CAL_GPS_INLINE void gps_copy(
+    const ekf_cal_gps_real_t x[],
+    const ekf_cal_gps_real_t measured[],
+    int32_t stride,
+    gps_input_t *in)
+{
+    in->position_x = x[0];
+    in->position_y = x[stride];
+    in->position_z = x[2 * stride];
+    in->attitude_w = x[9 * stride];
+    in->attitude_x = x[10 * stride];
+    in->attitude_y = x[11 * stride];
+    in->attitude_z = x[12 * stride];
+    in->antenna_x = x[19 * stride];
+    in->antenna_y = x[20 * stride];
+    in->antenna_z = x[21 * stride];
+    in->measured_x = measured[0];
+    in->measured_y = measured[stride];
+    in->measured_z = measured[2 * stride];
+}
+
 /* Store value in full, structural zeros included. */
 EKF_CAL_GPS_INLINE void gps_fill_value(
     const ekf_cal_gps_real_t nonzeros[],

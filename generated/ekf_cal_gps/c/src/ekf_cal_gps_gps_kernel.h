@@ -73,28 +73,6 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t gps_load(
             (ekf_cal_gps_flag_t)EKF_CAL_GPS_OK);
 }
 
-/* Copy the inputs of one call that has passed its checks. */
-EKF_CAL_GPS_INLINE void gps_copy(
-    const ekf_cal_gps_real_t x[],
-    const ekf_cal_gps_real_t measured[],
-    int32_t stride,
-    gps_input_t *in)
-{
-    in->position_x = x[0];
-    in->position_y = x[stride];
-    in->position_z = x[2 * stride];
-    in->attitude_w = x[9 * stride];
-    in->attitude_x = x[10 * stride];
-    in->attitude_y = x[11 * stride];
-    in->attitude_z = x[12 * stride];
-    in->antenna_x = x[19 * stride];
-    in->antenna_y = x[20 * stride];
-    in->antenna_z = x[21 * stride];
-    in->measured_x = measured[0];
-    in->measured_y = measured[stride];
-    in->measured_z = measured[2 * stride];
-}
-
 /* Position of a GNSS antenna: values and structural non-zeros. */
 EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t gps_kernel(const gps_input_t *in, gps_output_t *out)
 {

@@ -51,6 +51,29 @@ EKF_CAL_GPS_INLINE void gps_known_antenna_put_jacobian(
     nonzeros[11 * stride] = out->jacobian[11];
 }
 
+/* Copy the inputs of one call that has passed its checks. */
+EKF_CAL_GPS_INLINE void gps_known_antenna_copy(
+    const ekf_cal_gps_real_t x[],
+    const ekf_cal_gps_real_t lever_arm[],
+    const ekf_cal_gps_real_t measured[],
+    int32_t stride,
+    gps_known_antenna_input_t *in)
+{
+    in->position_x = x[0];
+    in->position_y = x[stride];
+    in->position_z = x[2 * stride];
+    in->attitude_w = x[9 * stride];
+    in->attitude_x = x[10 * stride];
+    in->attitude_y = x[11 * stride];
+    in->attitude_z = x[12 * stride];
+    in->lever_arm_x = lever_arm[0];
+    in->lever_arm_y = lever_arm[stride];
+    in->lever_arm_z = lever_arm[2 * stride];
+    in->measured_x = measured[0];
+    in->measured_y = measured[stride];
+    in->measured_z = measured[2 * stride];
+}
+
 /* Store value in full, structural zeros included. */
 EKF_CAL_GPS_INLINE void gps_known_antenna_fill_value(
     const ekf_cal_gps_real_t nonzeros[],

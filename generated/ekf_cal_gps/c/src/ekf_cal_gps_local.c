@@ -38,6 +38,59 @@ EKF_CAL_GPS_INLINE void local_put_value(
     nonzeros[20 * stride] = out->value[20];
 }
 
+/* Copy the inputs of one call that has passed its checks. */
+EKF_CAL_GPS_INLINE void local_copy(
+    const ekf_cal_gps_real_t x[],
+    const ekf_cal_gps_real_t y[],
+    int32_t stride,
+    local_input_t *in)
+{
+    in->position_x = x[0];
+    in->position_y = x[stride];
+    in->position_z = x[2 * stride];
+    in->velocity_x = x[3 * stride];
+    in->velocity_y = x[4 * stride];
+    in->velocity_z = x[5 * stride];
+    in->acceleration_x = x[6 * stride];
+    in->acceleration_y = x[7 * stride];
+    in->acceleration_z = x[8 * stride];
+    in->attitude_w = x[9 * stride];
+    in->attitude_x = x[10 * stride];
+    in->attitude_y = x[11 * stride];
+    in->attitude_z = x[12 * stride];
+    in->angular_rate_x = x[13 * stride];
+    in->angular_rate_y = x[14 * stride];
+    in->angular_rate_z = x[15 * stride];
+    in->angular_acceleration_x = x[16 * stride];
+    in->angular_acceleration_y = x[17 * stride];
+    in->angular_acceleration_z = x[18 * stride];
+    in->antenna_x = x[19 * stride];
+    in->antenna_y = x[20 * stride];
+    in->antenna_z = x[21 * stride];
+    in->position_x_2 = y[0];
+    in->position_y_2 = y[stride];
+    in->position_z_2 = y[2 * stride];
+    in->velocity_x_2 = y[3 * stride];
+    in->velocity_y_2 = y[4 * stride];
+    in->velocity_z_2 = y[5 * stride];
+    in->acceleration_x_2 = y[6 * stride];
+    in->acceleration_y_2 = y[7 * stride];
+    in->acceleration_z_2 = y[8 * stride];
+    in->attitude_w_2 = y[9 * stride];
+    in->attitude_x_2 = y[10 * stride];
+    in->attitude_y_2 = y[11 * stride];
+    in->attitude_z_2 = y[12 * stride];
+    in->angular_rate_x_2 = y[13 * stride];
+    in->angular_rate_y_2 = y[14 * stride];
+    in->angular_rate_z_2 = y[15 * stride];
+    in->angular_acceleration_x_2 = y[16 * stride];
+    in->angular_acceleration_y_2 = y[17 * stride];
+    in->angular_acceleration_z_2 = y[18 * stride];
+    in->antenna_x_2 = y[19 * stride];
+    in->antenna_y_2 = y[20 * stride];
+    in->antenna_z_2 = y[21 * stride];
+}
+
 /* Store value in full, structural zeros included. */
 EKF_CAL_GPS_INLINE void local_fill_value(
     const ekf_cal_gps_real_t nonzeros[],

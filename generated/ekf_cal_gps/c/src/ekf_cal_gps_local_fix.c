@@ -54,6 +54,33 @@ EKF_CAL_GPS_INLINE void local_fix_put_value_covariance(
     nonzeros[8 * stride] = out->value_covariance[8];
 }
 
+/* Copy the inputs of one call that has passed its checks. */
+EKF_CAL_GPS_INLINE void local_fix_copy(
+    const ekf_cal_gps_real_t heading[],
+    const ekf_cal_gps_real_t fix[],
+    const ekf_cal_gps_real_t reference_2[],
+    const ekf_cal_gps_real_t covariance_2[],
+    int32_t stride,
+    local_fix_input_t *in)
+{
+    in->heading = heading[0];
+    in->fix_latitude = fix[0];
+    in->fix_longitude = fix[stride];
+    in->fix_height = fix[2 * stride];
+    in->reference_2_latitude = reference_2[0];
+    in->reference_2_longitude = reference_2[stride];
+    in->reference_2_height = reference_2[2 * stride];
+    in->covariance_2_0 = covariance_2[0];
+    in->covariance_2_1 = covariance_2[stride];
+    in->covariance_2_2 = covariance_2[2 * stride];
+    in->covariance_2_3 = covariance_2[3 * stride];
+    in->covariance_2_4 = covariance_2[4 * stride];
+    in->covariance_2_5 = covariance_2[5 * stride];
+    in->covariance_2_6 = covariance_2[6 * stride];
+    in->covariance_2_7 = covariance_2[7 * stride];
+    in->covariance_2_8 = covariance_2[8 * stride];
+}
+
 /* Store value in full, structural zeros included. */
 EKF_CAL_GPS_INLINE void local_fix_fill_value(
     const ekf_cal_gps_real_t nonzeros[],

@@ -77,33 +77,6 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t local_fix_load(
         (ekf_cal_gps_flag_t)EKF_CAL_GPS_OK;
 }
 
-/* Copy the inputs of one call that has passed its checks. */
-EKF_CAL_GPS_INLINE void local_fix_copy(
-    const ekf_cal_gps_real_t heading[],
-    const ekf_cal_gps_real_t fix[],
-    const ekf_cal_gps_real_t reference_2[],
-    const ekf_cal_gps_real_t covariance_2[],
-    int32_t stride,
-    local_fix_input_t *in)
-{
-    in->heading = heading[0];
-    in->fix_latitude = fix[0];
-    in->fix_longitude = fix[stride];
-    in->fix_height = fix[2 * stride];
-    in->reference_2_latitude = reference_2[0];
-    in->reference_2_longitude = reference_2[stride];
-    in->reference_2_height = reference_2[2 * stride];
-    in->covariance_2_0 = covariance_2[0];
-    in->covariance_2_1 = covariance_2[stride];
-    in->covariance_2_2 = covariance_2[2 * stride];
-    in->covariance_2_3 = covariance_2[3 * stride];
-    in->covariance_2_4 = covariance_2[4 * stride];
-    in->covariance_2_5 = covariance_2[5 * stride];
-    in->covariance_2_6 = covariance_2[6 * stride];
-    in->covariance_2_7 = covariance_2[7 * stride];
-    in->covariance_2_8 = covariance_2[8 * stride];
-}
-
 /* Local-level position of a geodetic fix: values and structural non-zeros. */
 EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t
     local_fix_kernel(const local_fix_input_t *in, local_fix_output_t *out)

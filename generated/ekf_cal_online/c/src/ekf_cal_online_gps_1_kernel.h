@@ -87,33 +87,6 @@ EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t gps_1_load(
             (ekf_cal_online_flag_t)EKF_CAL_ONLINE_OK);
 }
 
-/* Copy the inputs of one call that has passed its checks. */
-EKF_CAL_ONLINE_INLINE void gps_1_copy(
-    const ekf_cal_online_real_t x[],
-    const ekf_cal_online_real_t origin[],
-    const ekf_cal_online_real_t measured[],
-    int32_t stride,
-    gps_1_input_t *in)
-{
-    in->position_x = x[0];
-    in->position_y = x[stride];
-    in->position_z = x[2 * stride];
-    in->attitude_w = x[9 * stride];
-    in->attitude_x = x[10 * stride];
-    in->attitude_y = x[11 * stride];
-    in->attitude_z = x[12 * stride];
-    in->heading = x[19 * stride];
-    in->antenna_1_x = x[20 * stride];
-    in->antenna_1_y = x[21 * stride];
-    in->antenna_1_z = x[22 * stride];
-    in->origin_x = origin[0];
-    in->origin_y = origin[stride];
-    in->origin_z = origin[2 * stride];
-    in->measured_x = measured[0];
-    in->measured_y = measured[stride];
-    in->measured_z = measured[2 * stride];
-}
-
 /* Position of a GNSS antenna: values and structural non-zeros. */
 EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t
     gps_1_kernel(const gps_1_input_t *in, gps_1_output_t *out)

@@ -175,66 +175,6 @@ EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t retract_load(
             (ekf_cal_online_flag_t)EKF_CAL_ONLINE_OK);
 }
 
-/* Copy the inputs of one call that has passed its checks. */
-EKF_CAL_ONLINE_INLINE void retract_copy(
-    const ekf_cal_online_real_t x[],
-    const ekf_cal_online_real_t d[],
-    int32_t stride,
-    retract_input_t *in)
-{
-    in->position_x = x[0];
-    in->position_y = x[stride];
-    in->position_z = x[2 * stride];
-    in->velocity_x = x[3 * stride];
-    in->velocity_y = x[4 * stride];
-    in->velocity_z = x[5 * stride];
-    in->acceleration_x = x[6 * stride];
-    in->acceleration_y = x[7 * stride];
-    in->acceleration_z = x[8 * stride];
-    in->attitude_w = x[9 * stride];
-    in->attitude_x = x[10 * stride];
-    in->attitude_y = x[11 * stride];
-    in->attitude_z = x[12 * stride];
-    in->angular_rate_x = x[13 * stride];
-    in->angular_rate_y = x[14 * stride];
-    in->angular_rate_z = x[15 * stride];
-    in->angular_acceleration_x = x[16 * stride];
-    in->angular_acceleration_y = x[17 * stride];
-    in->angular_acceleration_z = x[18 * stride];
-    in->heading = x[19 * stride];
-    in->antenna_1_x = x[20 * stride];
-    in->antenna_1_y = x[21 * stride];
-    in->antenna_1_z = x[22 * stride];
-    in->antenna_2_x = x[23 * stride];
-    in->antenna_2_y = x[24 * stride];
-    in->antenna_2_z = x[25 * stride];
-    in->position_x_2 = d[0];
-    in->position_y_2 = d[stride];
-    in->position_z_2 = d[2 * stride];
-    in->velocity_x_2 = d[3 * stride];
-    in->velocity_y_2 = d[4 * stride];
-    in->velocity_z_2 = d[5 * stride];
-    in->acceleration_x_2 = d[6 * stride];
-    in->acceleration_y_2 = d[7 * stride];
-    in->acceleration_z_2 = d[8 * stride];
-    in->attitude_x_2 = d[9 * stride];
-    in->attitude_y_2 = d[10 * stride];
-    in->attitude_z_2 = d[11 * stride];
-    in->angular_rate_x_2 = d[12 * stride];
-    in->angular_rate_y_2 = d[13 * stride];
-    in->angular_rate_z_2 = d[14 * stride];
-    in->angular_acceleration_x_2 = d[15 * stride];
-    in->angular_acceleration_y_2 = d[16 * stride];
-    in->angular_acceleration_z_2 = d[17 * stride];
-    in->heading_2 = d[18 * stride];
-    in->antenna_1_x_2 = d[19 * stride];
-    in->antenna_1_y_2 = d[20 * stride];
-    in->antenna_1_z_2 = d[21 * stride];
-    in->antenna_2_x_2 = d[22 * stride];
-    in->antenna_2_y_2 = d[23 * stride];
-    in->antenna_2_z_2 = d[24 * stride];
-}
-
 /* State moved by an error: values and structural non-zeros. */
 EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t
     retract_kernel(const retract_input_t *in, retract_output_t *out)

@@ -34,6 +34,51 @@ FARRELL_TIGHTLY_COUPLED_INLINE void local_put_value(
     nonzeros[16 * stride] = out->value[16];
 }
 
+/* Copy the inputs of one call that has passed its checks. */
+FARRELL_TIGHTLY_COUPLED_INLINE void local_copy(
+    const farrell_tightly_coupled_real_t x[],
+    const farrell_tightly_coupled_real_t y[],
+    int32_t stride,
+    local_input_t *in)
+{
+    in->dp_x = x[0];
+    in->dp_y = x[stride];
+    in->dp_z = x[2 * stride];
+    in->b_u = x[3 * stride];
+    in->dv_x = x[4 * stride];
+    in->dv_y = x[5 * stride];
+    in->dv_z = x[6 * stride];
+    in->b_u_dot = x[7 * stride];
+    in->drho_w = x[8 * stride];
+    in->drho_x = x[9 * stride];
+    in->drho_y = x[10 * stride];
+    in->drho_z = x[11 * stride];
+    in->x_a_x = x[12 * stride];
+    in->x_a_y = x[13 * stride];
+    in->x_a_z = x[14 * stride];
+    in->x_g_x = x[15 * stride];
+    in->x_g_y = x[16 * stride];
+    in->x_g_z = x[17 * stride];
+    in->dp_x_2 = y[0];
+    in->dp_y_2 = y[stride];
+    in->dp_z_2 = y[2 * stride];
+    in->b_u_2 = y[3 * stride];
+    in->dv_x_2 = y[4 * stride];
+    in->dv_y_2 = y[5 * stride];
+    in->dv_z_2 = y[6 * stride];
+    in->b_u_dot_2 = y[7 * stride];
+    in->drho_w_2 = y[8 * stride];
+    in->drho_x_2 = y[9 * stride];
+    in->drho_y_2 = y[10 * stride];
+    in->drho_z_2 = y[11 * stride];
+    in->x_a_x_2 = y[12 * stride];
+    in->x_a_y_2 = y[13 * stride];
+    in->x_a_z_2 = y[14 * stride];
+    in->x_g_x_2 = y[15 * stride];
+    in->x_g_y_2 = y[16 * stride];
+    in->x_g_z_2 = y[17 * stride];
+}
+
 /* Store value in full, structural zeros included. */
 FARRELL_TIGHTLY_COUPLED_INLINE void local_fill_value(
     const farrell_tightly_coupled_real_t nonzeros[],

@@ -79,6 +79,33 @@ NAVTK_SPECIFIC_FORCE_INLINE void calc_force_put_jacobian_dt(
     nonzeros[2 * stride] = out->jacobian_dt[2];
 }
 
+/* Copy the inputs of one call that has passed its checks. */
+NAVTK_SPECIFIC_FORCE_INLINE void calc_force_copy(
+    const navtk_specific_force_real_t dcm[],
+    const navtk_specific_force_real_t delta_theta[],
+    const navtk_specific_force_real_t delta_velocity[],
+    const navtk_specific_force_real_t dt[],
+    int32_t stride,
+    calc_force_input_t *in)
+{
+    in->dcm_00 = dcm[0];
+    in->dcm_01 = dcm[stride];
+    in->dcm_02 = dcm[2 * stride];
+    in->dcm_10 = dcm[3 * stride];
+    in->dcm_11 = dcm[4 * stride];
+    in->dcm_12 = dcm[5 * stride];
+    in->dcm_20 = dcm[6 * stride];
+    in->dcm_21 = dcm[7 * stride];
+    in->dcm_22 = dcm[8 * stride];
+    in->delta_theta_x = delta_theta[0];
+    in->delta_theta_y = delta_theta[stride];
+    in->delta_theta_z = delta_theta[2 * stride];
+    in->delta_velocity_x = delta_velocity[0];
+    in->delta_velocity_y = delta_velocity[stride];
+    in->delta_velocity_z = delta_velocity[2 * stride];
+    in->dt = dt[0];
+}
+
 /* Store value in full, structural zeros included. */
 NAVTK_SPECIFIC_FORCE_INLINE void calc_force_fill_value(
     const navtk_specific_force_real_t nonzeros[],

@@ -97,6 +97,34 @@ NAVTK_SPECIFIC_FORCE_INLINE void force_put_jacobian_dt(
     nonzeros[2 * stride] = out->jacobian_dt[2];
 }
 
+/* Copy the inputs of one call that has passed its checks. */
+NAVTK_SPECIFIC_FORCE_INLINE void force_copy(
+    const navtk_specific_force_real_t x[],
+    const navtk_specific_force_real_t delta_theta[],
+    const navtk_specific_force_real_t delta_velocity[],
+    const navtk_specific_force_real_t dt[],
+    int32_t stride,
+    force_input_t *in)
+{
+    in->attitude_w = x[6 * stride];
+    in->attitude_x = x[7 * stride];
+    in->attitude_y = x[8 * stride];
+    in->attitude_z = x[9 * stride];
+    in->accelerometer_bias_x = x[10 * stride];
+    in->accelerometer_bias_y = x[11 * stride];
+    in->accelerometer_bias_z = x[12 * stride];
+    in->gyro_bias_x = x[13 * stride];
+    in->gyro_bias_y = x[14 * stride];
+    in->gyro_bias_z = x[15 * stride];
+    in->delta_theta_x = delta_theta[0];
+    in->delta_theta_y = delta_theta[stride];
+    in->delta_theta_z = delta_theta[2 * stride];
+    in->delta_velocity_x = delta_velocity[0];
+    in->delta_velocity_y = delta_velocity[stride];
+    in->delta_velocity_z = delta_velocity[2 * stride];
+    in->dt = dt[0];
+}
+
 /* Store value in full, structural zeros included. */
 NAVTK_SPECIFIC_FORCE_INLINE void force_fill_value(
     const navtk_specific_force_real_t nonzeros[],

@@ -119,46 +119,6 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t retract_load(
             (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_OK);
 }
 
-/* Copy the inputs of one call that has passed its checks. */
-NAVTK_SPECIFIC_FORCE_INLINE void retract_copy(
-    const navtk_specific_force_real_t x[],
-    const navtk_specific_force_real_t d[],
-    int32_t stride,
-    retract_input_t *in)
-{
-    in->position_x = x[0];
-    in->position_y = x[stride];
-    in->position_z = x[2 * stride];
-    in->velocity_x = x[3 * stride];
-    in->velocity_y = x[4 * stride];
-    in->velocity_z = x[5 * stride];
-    in->attitude_w = x[6 * stride];
-    in->attitude_x = x[7 * stride];
-    in->attitude_y = x[8 * stride];
-    in->attitude_z = x[9 * stride];
-    in->accelerometer_bias_x = x[10 * stride];
-    in->accelerometer_bias_y = x[11 * stride];
-    in->accelerometer_bias_z = x[12 * stride];
-    in->gyro_bias_x = x[13 * stride];
-    in->gyro_bias_y = x[14 * stride];
-    in->gyro_bias_z = x[15 * stride];
-    in->position_x_2 = d[0];
-    in->position_y_2 = d[stride];
-    in->position_z_2 = d[2 * stride];
-    in->velocity_x_2 = d[3 * stride];
-    in->velocity_y_2 = d[4 * stride];
-    in->velocity_z_2 = d[5 * stride];
-    in->attitude_x_2 = d[6 * stride];
-    in->attitude_y_2 = d[7 * stride];
-    in->attitude_z_2 = d[8 * stride];
-    in->accelerometer_bias_x_2 = d[9 * stride];
-    in->accelerometer_bias_y_2 = d[10 * stride];
-    in->accelerometer_bias_z_2 = d[11 * stride];
-    in->gyro_bias_x_2 = d[12 * stride];
-    in->gyro_bias_y_2 = d[13 * stride];
-    in->gyro_bias_z_2 = d[14 * stride];
-}
-
 /* State moved by an error: values and structural non-zeros. */
 NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t
     retract_kernel(const retract_input_t *in, retract_output_t *out)

@@ -43,6 +43,21 @@ ROVER_INLINE void gps_put_jacobian(const gps_output_t *out, int32_t stride, rove
     nonzeros[20 * stride] = out->jacobian[20];
 }
 
+/* Copy the inputs of one call that has passed its checks. */
+ROVER_INLINE void gps_copy(const rover_real_t x[], int32_t stride, gps_input_t *in)
+{
+    in->position_x = x[0];
+    in->position_y = x[stride];
+    in->position_z = x[2 * stride];
+    in->attitude_w = x[6 * stride];
+    in->attitude_x = x[7 * stride];
+    in->attitude_y = x[8 * stride];
+    in->attitude_z = x[9 * stride];
+    in->antenna_x = x[16 * stride];
+    in->antenna_y = x[17 * stride];
+    in->antenna_z = x[18 * stride];
+}
+
 /* Store value in full, structural zeros included. */
 ROVER_INLINE void gps_fill_value(
     const rover_real_t nonzeros[],

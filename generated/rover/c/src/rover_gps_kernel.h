@@ -59,21 +59,6 @@ ROVER_INLINE rover_flag_t gps_load(const rover_real_t x[], int32_t stride, gps_i
         ((skewed != 0U) ? (rover_flag_t)ROVER_QNORM : (rover_flag_t)ROVER_OK);
 }
 
-/* Copy the inputs of one call that has passed its checks. */
-ROVER_INLINE void gps_copy(const rover_real_t x[], int32_t stride, gps_input_t *in)
-{
-    in->position_x = x[0];
-    in->position_y = x[stride];
-    in->position_z = x[2 * stride];
-    in->attitude_w = x[6 * stride];
-    in->attitude_x = x[7 * stride];
-    in->attitude_y = x[8 * stride];
-    in->attitude_z = x[9 * stride];
-    in->antenna_x = x[16 * stride];
-    in->antenna_y = x[17 * stride];
-    in->antenna_z = x[18 * stride];
-}
-
 /* Position of a GNSS antenna: values and structural non-zeros. */
 ROVER_INLINE rover_flag_t gps_kernel(const gps_input_t *in, gps_output_t *out)
 {

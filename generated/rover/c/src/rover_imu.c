@@ -49,6 +49,40 @@ ROVER_INLINE void imu_put_jacobian(const imu_output_t *out, int32_t stride, rove
     nonzeros[26 * stride] = out->jacobian[26];
 }
 
+/* Copy the inputs of one call that has passed its checks. */
+ROVER_INLINE void imu_copy(
+    const rover_real_t x[],
+    const rover_real_t delta_theta[],
+    const rover_real_t delta_velocity[],
+    const rover_real_t dt[],
+    int32_t stride,
+    imu_input_t *in)
+{
+    in->attitude_w = x[6 * stride];
+    in->attitude_x = x[7 * stride];
+    in->attitude_y = x[8 * stride];
+    in->attitude_z = x[9 * stride];
+    in->accelerometer_bias_x = x[10 * stride];
+    in->accelerometer_bias_y = x[11 * stride];
+    in->accelerometer_bias_z = x[12 * stride];
+    in->gyro_bias_x = x[13 * stride];
+    in->gyro_bias_y = x[14 * stride];
+    in->gyro_bias_z = x[15 * stride];
+    in->delta_theta_0 = delta_theta[0];
+    in->delta_theta_1 = delta_theta[stride];
+    in->delta_theta_2 = delta_theta[2 * stride];
+    in->delta_theta_3 = delta_theta[3 * stride];
+    in->delta_theta_4 = delta_theta[4 * stride];
+    in->delta_theta_5 = delta_theta[5 * stride];
+    in->delta_velocity_0 = delta_velocity[0];
+    in->delta_velocity_1 = delta_velocity[stride];
+    in->delta_velocity_2 = delta_velocity[2 * stride];
+    in->delta_velocity_3 = delta_velocity[3 * stride];
+    in->delta_velocity_4 = delta_velocity[4 * stride];
+    in->delta_velocity_5 = delta_velocity[5 * stride];
+    in->dt = dt[0];
+}
+
 /* Store value in full, structural zeros included. */
 ROVER_INLINE void imu_fill_value(
     const rover_real_t nonzeros[],

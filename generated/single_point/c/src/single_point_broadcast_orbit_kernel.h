@@ -144,56 +144,6 @@ SINGLE_POINT_INLINE single_point_flag_t broadcast_orbit_load(
         (single_point_flag_t)SINGLE_POINT_OK;
 }
 
-/* Copy the inputs of one call that has passed its checks. */
-SINGLE_POINT_INLINE void broadcast_orbit_copy(
-    const single_point_real_t time_2[],
-    const single_point_real_t toe[],
-    const single_point_real_t toc[],
-    const single_point_real_t sqrt_a[],
-    const single_point_real_t eccentricity[],
-    const single_point_real_t mean_anomaly[],
-    const single_point_real_t mean_motion_difference[],
-    const single_point_real_t inclination[],
-    const single_point_real_t inclination_rate[],
-    const single_point_real_t right_ascension[],
-    const single_point_real_t right_ascension_rate[],
-    const single_point_real_t argument_of_perigee[],
-    const single_point_real_t cuc[],
-    const single_point_real_t cus[],
-    const single_point_real_t crc[],
-    const single_point_real_t crs[],
-    const single_point_real_t cic[],
-    const single_point_real_t cis[],
-    const single_point_real_t af0[],
-    const single_point_real_t af1[],
-    const single_point_real_t af2[],
-    const single_point_real_t group_delay[],
-    broadcast_orbit_input_t *in)
-{
-    in->time_2 = time_2[0];
-    in->toe = toe[0];
-    in->toc = toc[0];
-    in->sqrt_a = sqrt_a[0];
-    in->eccentricity = eccentricity[0];
-    in->mean_anomaly = mean_anomaly[0];
-    in->mean_motion_difference = mean_motion_difference[0];
-    in->inclination = inclination[0];
-    in->inclination_rate = inclination_rate[0];
-    in->right_ascension = right_ascension[0];
-    in->right_ascension_rate = right_ascension_rate[0];
-    in->argument_of_perigee = argument_of_perigee[0];
-    in->cuc = cuc[0];
-    in->cus = cus[0];
-    in->crc = crc[0];
-    in->crs = crs[0];
-    in->cic = cic[0];
-    in->cis = cis[0];
-    in->af0 = af0[0];
-    in->af1 = af1[0];
-    in->af2 = af2[0];
-    in->group_delay = group_delay[0];
-}
-
 /* Satellite position, velocity and clock from a broadcast ephemeris: values and structural non-
    zeros. */
 SINGLE_POINT_INLINE single_point_flag_t broadcast_orbit_kernel(

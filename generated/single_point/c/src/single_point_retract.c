@@ -21,6 +21,23 @@ SINGLE_POINT_INLINE void retract_put_value(
     nonzeros[3 * stride] = out->value[3];
 }
 
+/* Copy the inputs of one call that has passed its checks. */
+SINGLE_POINT_INLINE void retract_copy(
+    const single_point_real_t x[],
+    const single_point_real_t d[],
+    int32_t stride,
+    retract_input_t *in)
+{
+    in->position_x = x[0];
+    in->position_y = x[stride];
+    in->position_z = x[2 * stride];
+    in->clock_bias = x[3 * stride];
+    in->position_x_2 = d[0];
+    in->position_y_2 = d[stride];
+    in->position_z_2 = d[2 * stride];
+    in->clock_bias_2 = d[3 * stride];
+}
+
 /* Store value in full, structural zeros included. */
 SINGLE_POINT_INLINE void retract_fill_value(
     const single_point_real_t nonzeros[],

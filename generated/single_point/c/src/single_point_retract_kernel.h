@@ -57,23 +57,6 @@ SINGLE_POINT_INLINE single_point_flag_t retract_load(
         (single_point_flag_t)SINGLE_POINT_OK;
 }
 
-/* Copy the inputs of one call that has passed its checks. */
-SINGLE_POINT_INLINE void retract_copy(
-    const single_point_real_t x[],
-    const single_point_real_t d[],
-    int32_t stride,
-    retract_input_t *in)
-{
-    in->position_x = x[0];
-    in->position_y = x[stride];
-    in->position_z = x[2 * stride];
-    in->clock_bias = x[3 * stride];
-    in->position_x_2 = d[0];
-    in->position_y_2 = d[stride];
-    in->position_z_2 = d[2 * stride];
-    in->clock_bias_2 = d[3 * stride];
-}
-
 /* State moved by an error: values and structural non-zeros. */
 SINGLE_POINT_INLINE single_point_flag_t
     retract_kernel(const retract_input_t *in, retract_output_t *out)

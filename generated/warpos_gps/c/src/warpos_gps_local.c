@@ -32,6 +32,45 @@ WARPOS_GPS_INLINE void local_put_value(
     nonzeros[14 * stride] = out->value[14];
 }
 
+/* Copy the inputs of one call that has passed its checks. */
+WARPOS_GPS_INLINE void local_copy(
+    const warpos_gps_real_t x[],
+    const warpos_gps_real_t y[],
+    int32_t stride,
+    local_input_t *in)
+{
+    in->leading_0 = x[0];
+    in->leading_1 = x[stride];
+    in->leading_2 = x[2 * stride];
+    in->leading_3 = x[3 * stride];
+    in->position_x = x[4 * stride];
+    in->position_y = x[5 * stride];
+    in->position_z = x[6 * stride];
+    in->trailing_0 = x[7 * stride];
+    in->trailing_1 = x[8 * stride];
+    in->trailing_2 = x[9 * stride];
+    in->trailing_3 = x[10 * stride];
+    in->trailing_4 = x[11 * stride];
+    in->trailing_5 = x[12 * stride];
+    in->trailing_6 = x[13 * stride];
+    in->trailing_7 = x[14 * stride];
+    in->leading_0_2 = y[0];
+    in->leading_1_2 = y[stride];
+    in->leading_2_2 = y[2 * stride];
+    in->leading_3_2 = y[3 * stride];
+    in->position_x_2 = y[4 * stride];
+    in->position_y_2 = y[5 * stride];
+    in->position_z_2 = y[6 * stride];
+    in->trailing_0_2 = y[7 * stride];
+    in->trailing_1_2 = y[8 * stride];
+    in->trailing_2_2 = y[9 * stride];
+    in->trailing_3_2 = y[10 * stride];
+    in->trailing_4_2 = y[11 * stride];
+    in->trailing_5_2 = y[12 * stride];
+    in->trailing_6_2 = y[13 * stride];
+    in->trailing_7_2 = y[14 * stride];
+}
+
 /* Store value in full, structural zeros included. */
 WARPOS_GPS_INLINE void local_fill_value(
     const warpos_gps_real_t nonzeros[],

@@ -31,6 +31,17 @@ WARPOS_GPS_INLINE void measurement_by_column_put_jacobian(
     nonzeros[2 * stride] = out->jacobian[2];
 }
 
+/* Copy the inputs of one call that has passed its checks. */
+WARPOS_GPS_INLINE void measurement_by_column_copy(
+    const warpos_gps_real_t x[],
+    int32_t stride,
+    measurement_by_column_input_t *in)
+{
+    in->position_x = x[4 * stride];
+    in->position_y = x[5 * stride];
+    in->position_z = x[6 * stride];
+}
+
 /* Store value in full, structural zeros included. */
 WARPOS_GPS_INLINE void measurement_by_column_fill_value(
     const warpos_gps_real_t nonzeros[],

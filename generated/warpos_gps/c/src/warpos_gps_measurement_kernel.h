@@ -40,17 +40,6 @@ WARPOS_GPS_INLINE warpos_gps_flag_t measurement_load(
     return (outside != 0U) ? (warpos_gps_flag_t)WARPOS_GPS_RANGE : (warpos_gps_flag_t)WARPOS_GPS_OK;
 }
 
-/* Copy the inputs of one call that has passed its checks. */
-WARPOS_GPS_INLINE void measurement_copy(
-    const warpos_gps_real_t x[],
-    int32_t stride,
-    measurement_input_t *in)
-{
-    in->position_x = x[4 * stride];
-    in->position_y = x[5 * stride];
-    in->position_z = x[6 * stride];
-}
-
 /* Position of a GNSS antenna: values and structural non-zeros. */
 WARPOS_GPS_INLINE warpos_gps_flag_t measurement_kernel(
     const measurement_input_t *in,

@@ -37,6 +37,22 @@ WARPOS_GPS_INLINE void observed_put_jacobian(
     nonzeros[8 * stride] = out->jacobian[8];
 }
 
+/* Copy the inputs of one call that has passed its checks. */
+WARPOS_GPS_INLINE void observed_copy(
+    const warpos_gps_real_t x[],
+    const warpos_gps_real_t observer_attitude[],
+    int32_t stride,
+    observed_input_t *in)
+{
+    in->position_x = x[4 * stride];
+    in->position_y = x[5 * stride];
+    in->position_z = x[6 * stride];
+    in->observer_attitude_w = observer_attitude[0];
+    in->observer_attitude_x = observer_attitude[stride];
+    in->observer_attitude_y = observer_attitude[2 * stride];
+    in->observer_attitude_z = observer_attitude[3 * stride];
+}
+
 /* Store value in full, structural zeros included. */
 WARPOS_GPS_INLINE void observed_fill_value(
     const warpos_gps_real_t nonzeros[],

@@ -55,22 +55,6 @@ WARPOS_GPS_INLINE warpos_gps_flag_t observed_load(
         ((skewed != 0U) ? (warpos_gps_flag_t)WARPOS_GPS_QNORM : (warpos_gps_flag_t)WARPOS_GPS_OK);
 }
 
-/* Copy the inputs of one call that has passed its checks. */
-WARPOS_GPS_INLINE void observed_copy(
-    const warpos_gps_real_t x[],
-    const warpos_gps_real_t observer_attitude[],
-    int32_t stride,
-    observed_input_t *in)
-{
-    in->position_x = x[4 * stride];
-    in->position_y = x[5 * stride];
-    in->position_z = x[6 * stride];
-    in->observer_attitude_w = observer_attitude[0];
-    in->observer_attitude_x = observer_attitude[stride];
-    in->observer_attitude_y = observer_attitude[2 * stride];
-    in->observer_attitude_z = observer_attitude[3 * stride];
-}
-
 /* Position of a GNSS antenna: values and structural non-zeros. */
 WARPOS_GPS_INLINE warpos_gps_flag_t
     observed_kernel(const observed_input_t *in, observed_output_t *out)

@@ -104,45 +104,6 @@ WARPOS_GPS_INLINE warpos_gps_flag_t retract_load(
     return (outside != 0U) ? (warpos_gps_flag_t)WARPOS_GPS_RANGE : (warpos_gps_flag_t)WARPOS_GPS_OK;
 }
 
-/* Copy the inputs of one call that has passed its checks. */
-WARPOS_GPS_INLINE void retract_copy(
-    const warpos_gps_real_t x[],
-    const warpos_gps_real_t d[],
-    int32_t stride,
-    retract_input_t *in)
-{
-    in->leading_0 = x[0];
-    in->leading_1 = x[stride];
-    in->leading_2 = x[2 * stride];
-    in->leading_3 = x[3 * stride];
-    in->position_x = x[4 * stride];
-    in->position_y = x[5 * stride];
-    in->position_z = x[6 * stride];
-    in->trailing_0 = x[7 * stride];
-    in->trailing_1 = x[8 * stride];
-    in->trailing_2 = x[9 * stride];
-    in->trailing_3 = x[10 * stride];
-    in->trailing_4 = x[11 * stride];
-    in->trailing_5 = x[12 * stride];
-    in->trailing_6 = x[13 * stride];
-    in->trailing_7 = x[14 * stride];
-    in->leading_0_2 = d[0];
-    in->leading_1_2 = d[stride];
-    in->leading_2_2 = d[2 * stride];
-    in->leading_3_2 = d[3 * stride];
-    in->position_x_2 = d[4 * stride];
-    in->position_y_2 = d[5 * stride];
-    in->position_z_2 = d[6 * stride];
-    in->trailing_0_2 = d[7 * stride];
-    in->trailing_1_2 = d[8 * stride];
-    in->trailing_2_2 = d[9 * stride];
-    in->trailing_3_2 = d[10 * stride];
-    in->trailing_4_2 = d[11 * stride];
-    in->trailing_5_2 = d[12 * stride];
-    in->trailing_6_2 = d[13 * stride];
-    in->trailing_7_2 = d[14 * stride];
-}
-
 /* State moved by an error: values and structural non-zeros. */
 WARPOS_GPS_INLINE warpos_gps_flag_t retract_kernel(const retract_input_t *in, retract_output_t *out)
 {

@@ -107,45 +107,6 @@ WARPOS_GPS_INLINE warpos_gps_flag_t to_state_frame_load(
         ((skewed != 0U) ? (warpos_gps_flag_t)WARPOS_GPS_QNORM : (warpos_gps_flag_t)WARPOS_GPS_OK);
 }
 
-/* Copy the inputs of one call that has passed its checks. */
-WARPOS_GPS_INLINE void to_state_frame_copy(
-    const warpos_gps_real_t observer_attitude[],
-    const warpos_gps_real_t receiver_position[],
-    const warpos_gps_real_t origin_offset[],
-    const warpos_gps_real_t attitude[],
-    const warpos_gps_real_t lever_arm[],
-    const warpos_gps_real_t covariance_2[],
-    int32_t stride,
-    to_state_frame_input_t *in)
-{
-    in->observer_attitude_w = observer_attitude[0];
-    in->observer_attitude_x = observer_attitude[stride];
-    in->observer_attitude_y = observer_attitude[2 * stride];
-    in->observer_attitude_z = observer_attitude[3 * stride];
-    in->receiver_position_x = receiver_position[0];
-    in->receiver_position_y = receiver_position[stride];
-    in->receiver_position_z = receiver_position[2 * stride];
-    in->origin_offset_x = origin_offset[0];
-    in->origin_offset_y = origin_offset[stride];
-    in->origin_offset_z = origin_offset[2 * stride];
-    in->attitude_w = attitude[0];
-    in->attitude_x = attitude[stride];
-    in->attitude_y = attitude[2 * stride];
-    in->attitude_z = attitude[3 * stride];
-    in->lever_arm_x = lever_arm[0];
-    in->lever_arm_y = lever_arm[stride];
-    in->lever_arm_z = lever_arm[2 * stride];
-    in->covariance_2_0 = covariance_2[0];
-    in->covariance_2_1 = covariance_2[stride];
-    in->covariance_2_2 = covariance_2[2 * stride];
-    in->covariance_2_3 = covariance_2[3 * stride];
-    in->covariance_2_4 = covariance_2[4 * stride];
-    in->covariance_2_5 = covariance_2[5 * stride];
-    in->covariance_2_6 = covariance_2[6 * stride];
-    in->covariance_2_7 = covariance_2[7 * stride];
-    in->covariance_2_8 = covariance_2[8 * stride];
-}
-
 /* Receiver position transformed to the state's frame and origin: values and structural non-
    zeros. */
 WARPOS_GPS_INLINE warpos_gps_flag_t to_state_frame_kernel(
