@@ -212,14 +212,15 @@ def _broadcast_orbit_kernel(
     s0 = xp.cos(eccentric_anomaly)
     anomaly_slope_mean = 1.0 / (1.0 - eccentricity * s0)
     cos_anomaly = s0
-    axis_ratio = xp.sqrt(1.0 - eccentricity * eccentricity)
+    lead_ratio = eccentricity / (1.0 + xp.sqrt(1.0 - eccentricity * eccentricity))
     s1 = xp.sin(eccentric_anomaly)
     sin_anomaly = s1
-    minor = axis_ratio * sin_anomaly
-    major = cos_anomaly - eccentricity
-    true_anomaly = xp.atan2(minor, major)
+    lead_y = lead_ratio * sin_anomaly
+    lead_x = 1.0 - cos_anomaly * lead_ratio
+    lead = xp.atan2(lead_y, lead_x)
+    true_anomaly = eccentric_anomaly + 2.0 * lead
+    del mean_anomaly_now, anomaly_3, s0, sin_anomaly, eccentric_anomaly, lead
     latitude_argument = argument_of_perigee + true_anomaly
-    del mean_anomaly_now, anomaly_3, s0, eccentric_anomaly, sin_anomaly, true_anomaly
     doubled_argument = 2.0 * latitude_argument
     cos_doubled = xp.cos(doubled_argument)
     sin_doubled = xp.sin(doubled_argument)
@@ -239,90 +240,93 @@ def _broadcast_orbit_kernel(
     cos_inclination = xp.cos(inclination_now)
     cos_node = xp.cos(node)
     in_plane_level = cos_inclination * in_plane_y
-    s2 = cos_node * in_plane_x
     sin_node = xp.sin(node)
-    del doubled_argument, latitude_argument, since_toe, corrected_argument, radius, node
-    s3 = in_plane_level * sin_node
-    position_x = s2 - s3
-    s4 = cos_node * in_plane_level
-    s5 = in_plane_x * sin_node
-    position_y = s4 + s5
+    del true_anomaly, doubled_argument, latitude_argument, since_toe, corrected_argument, node
+    position_x = cos_node * in_plane_x - in_plane_level * sin_node
+    position_y = cos_node * in_plane_level + in_plane_x * sin_node
     sin_inclination = xp.sin(inclination_now)
     position_z = in_plane_y * sin_inclination
     since_toc_raw = time - toc
     since_toc_weeks = xp.floor(0.5 + 1.6534391534391535e-6 * since_toc_raw)
     since_toc = since_toc_raw - 6.048e5 * since_toc_weeks
-    s6 = af2 * since_toc
-    clock_drift = af1 + s6
+    s2 = af2 * since_toc
+    clock_drift = af1 + s2
     eccentric_root = eccentricity * sqrt_a
-    s7 = 4.442807633e-10 * eccentric_root
+    s3 = 4.442807633e-10 * eccentric_root
     sin_anomaly_clock = s1
-    relativity = -(s7 * sin_anomaly_clock)
+    relativity = -(s3 * sin_anomaly_clock)
     clock = af0 + relativity + clock_drift * since_toc - group_delay
     del inclination_now, since_toc_raw, since_toc_weeks, eccentric_root, s1, since_toc, relativity
-    s8 = 1.0 / (major * major + minor * minor)
-    true_anomaly_by_major = -(minor * s8)
-    true_anomaly_by_minor = major * s8
+    s4 = 1.0 / (lead_x * lead_x + lead_y * lead_y)
+    lead_by_lead_x = -(lead_y * s4)
+    lead_by_lead_y = lead_x * s4
     radius_by_cos_anomaly = -(eccentricity * semi_major_axis)
-    true_anomaly_by_sin_anomaly = axis_ratio * true_anomaly_by_minor
-    del minor, major, s8, semi_major_axis, axis_ratio, true_anomaly_by_minor
-    true_anomaly_by_eccentric_anomaly = cos_anomaly * true_anomaly_by_sin_anomaly
     eccentric_anomaly_by_time = anomaly_slope_mean * mean_motion
-    value_by_node_x = -s4
-    value_by_node_y = s2
-    true_anomaly_by_time = eccentric_anomaly_by_time * true_anomaly_by_eccentric_anomaly
-    del true_anomaly_by_sin_anomaly, mean_motion, anomaly_slope_mean, s4, s2
-    del true_anomaly_by_eccentric_anomaly
+    del lead_y, lead_x, s4, semi_major_axis, mean_motion, anomaly_slope_mean
     cos_anomaly_by_time = -(eccentric_anomaly_by_time * sin_anomaly_clock)
-    true_anomaly_by_time_2 = true_anomaly_by_time + cos_anomaly_by_time * true_anomaly_by_major
+    lead_x_by_time = -(cos_anomaly_by_time * lead_ratio)
     radius_by_time = cos_anomaly_by_time * radius_by_cos_anomaly
-    s9 = 2.0 * true_anomaly_by_time_2
-    cos_doubled_by_time = -(s9 * sin_doubled)
-    del sin_anomaly_clock, true_anomaly_by_major, true_anomaly_by_time, radius_by_cos_anomaly
-    del cos_anomaly_by_time, sin_doubled
-    value_by_node_x_2 = value_by_node_x - s5
-    value_by_node_y_2 = value_by_node_y - s3
-    value_by_time_x = node_rate * value_by_node_x_2
-    value_by_time_y = node_rate * value_by_node_y_2
-    del s5, value_by_node_x, s3, value_by_node_y, value_by_node_x_2, node_rate, value_by_node_y_2
-    sin_doubled_by_time = cos_doubled * s9
-    inclination_now_by_time = inclination_rate + cis * sin_doubled_by_time
-    corrected_argument_by_time = true_anomaly_by_time_2 + cus * sin_doubled_by_time
-    radius_by_time_2 = radius_by_time + crs * sin_doubled_by_time
-    inclination_now_by_time_2 = inclination_now_by_time + cic * cos_doubled_by_time
-    del cos_doubled, s9, true_anomaly_by_time_2, radius_by_time, sin_doubled_by_time
-    del inclination_now_by_time
-    corrected_argument_by_time_2 = corrected_argument_by_time + cos_doubled_by_time * cuc
-    radius_by_time_3 = radius_by_time_2 + cos_doubled_by_time * crc
-    value_by_time_z = in_plane_level * inclination_now_by_time_2
-    in_plane_level_by_time = -(inclination_now_by_time_2 * position_z)
-    in_plane_y_by_time = corrected_argument_by_time_2 * in_plane_x
-    del corrected_argument_by_time, cos_doubled_by_time, radius_by_time_2, in_plane_level
-    del inclination_now_by_time_2, in_plane_x
-    in_plane_x_by_time = -(corrected_argument_by_time_2 * in_plane_y)
-    in_plane_y_by_time_2 = in_plane_y_by_time + radius_by_time_3 * sin_argument
-    in_plane_x_by_time_2 = in_plane_x_by_time + cos_argument * radius_by_time_3
-    del in_plane_y, corrected_argument_by_time_2, sin_argument, in_plane_y_by_time, cos_argument
-    del radius_by_time_3, in_plane_x_by_time
-    value_by_time_z_2 = value_by_time_z + in_plane_y_by_time_2 * sin_inclination
-    in_plane_level_by_time_2 = in_plane_level_by_time + cos_inclination * in_plane_y_by_time_2
-    value_by_time_x_2 = value_by_time_x + cos_node * in_plane_x_by_time_2
-    del sin_inclination, value_by_time_z, cos_inclination, in_plane_level_by_time
-    del in_plane_y_by_time_2, value_by_time_x
-    value_by_time_y_2 = value_by_time_y + in_plane_x_by_time_2 * sin_node
-    value_by_time_x_3 = value_by_time_x_2 - in_plane_level_by_time_2 * sin_node
-    value_by_time_y_3 = value_by_time_y_2 + cos_node * in_plane_level_by_time_2
-    del value_by_time_y, in_plane_x_by_time_2, sin_node, value_by_time_x_2, cos_node
-    del in_plane_level_by_time_2, value_by_time_y_2
-    clock_by_time = clock_drift + s6
-    sin_anomaly_clock_by_time = cos_anomaly * eccentric_anomaly_by_time
-    relativity_by_time = -(s7 * sin_anomaly_clock_by_time)
-    del s6, clock_drift, cos_anomaly, eccentric_anomaly_by_time, s7, sin_anomaly_clock_by_time
+    sin_anomaly_by_time = cos_anomaly * eccentric_anomaly_by_time
+    lead_y_by_time = lead_ratio * sin_anomaly_by_time
+    lead_by_time = lead_by_lead_y * lead_y_by_time
+    del sin_anomaly_clock, radius_by_cos_anomaly, cos_anomaly_by_time, cos_anomaly, lead_ratio
+    del lead_by_lead_y, lead_y_by_time
+    lead_by_time_2 = lead_by_time + lead_by_lead_x * lead_x_by_time
+    true_anomaly_by_time = eccentric_anomaly_by_time + 2.0 * lead_by_time_2
+    doubled_argument_by_time = 2.0 * true_anomaly_by_time
+    cos_doubled_by_time = -(doubled_argument_by_time * sin_doubled)
+    del lead_by_lead_x, lead_x_by_time, lead_by_time, eccentric_anomaly_by_time, lead_by_time_2
+    del sin_doubled
+    inclination_now_by_time = inclination_rate + cic * cos_doubled_by_time
+    corrected_argument_by_time = true_anomaly_by_time + cos_doubled_by_time * cuc
+    radius_by_time_2 = radius_by_time + cos_doubled_by_time * crc
+    sin_doubled_by_time = cos_doubled * doubled_argument_by_time
+    inclination_now_by_time_2 = inclination_now_by_time + cis * sin_doubled_by_time
+    del true_anomaly_by_time, radius_by_time, cos_doubled_by_time, cos_doubled
+    del doubled_argument_by_time, inclination_now_by_time
+    corrected_argument_by_time_2 = corrected_argument_by_time + cus * sin_doubled_by_time
+    radius_by_time_3 = radius_by_time_2 + crs * sin_doubled_by_time
+    cos_argument_by_time = -(corrected_argument_by_time_2 * sin_argument)
+    in_plane_y_by_time = radius_by_time_3 * sin_argument
+    in_plane_x_by_time = cos_argument * radius_by_time_3
+    cos_inclination_by_time = -(inclination_now_by_time_2 * sin_inclination)
+    cos_node_by_time = -(node_rate * sin_node)
+    in_plane_x_by_time_2 = in_plane_x_by_time + cos_argument_by_time * radius
+    del corrected_argument_by_time, radius_by_time_2, sin_doubled_by_time, sin_argument
+    del radius_by_time_3, cos_argument_by_time, in_plane_x_by_time
+    position_by_time_x = cos_node * in_plane_x_by_time_2
+    position_by_time_y = in_plane_x_by_time_2 * sin_node
+    sin_argument_by_time = corrected_argument_by_time_2 * cos_argument
+    in_plane_y_by_time_2 = in_plane_y_by_time + radius * sin_argument_by_time
+    del in_plane_x_by_time_2, cos_argument, corrected_argument_by_time_2, radius
+    del in_plane_y_by_time, sin_argument_by_time
+    position_by_time_z = in_plane_y_by_time_2 * sin_inclination
+    in_plane_level_by_time = cos_inclination * in_plane_y_by_time_2
+    in_plane_level_by_time_2 = in_plane_level_by_time + cos_inclination_by_time * in_plane_y
+    sin_inclination_by_time = cos_inclination * inclination_now_by_time_2
+    del sin_inclination, in_plane_y_by_time_2, cos_inclination_by_time, in_plane_level_by_time
+    del cos_inclination, inclination_now_by_time_2
+    position_by_time_z_2 = position_by_time_z + in_plane_y * sin_inclination_by_time
+    position_by_time_x_2 = position_by_time_x + cos_node_by_time * in_plane_x
+    position_by_time_y_2 = position_by_time_y + cos_node_by_time * in_plane_level
+    del in_plane_y, position_by_time_z, sin_inclination_by_time, position_by_time_x
+    del cos_node_by_time, position_by_time_y
+    sin_node_by_time = cos_node * node_rate
+    position_by_time_x_3 = position_by_time_x_2 - in_plane_level * sin_node_by_time
+    position_by_time_y_3 = position_by_time_y_2 + in_plane_x * sin_node_by_time
+    del node_rate, in_plane_level, position_by_time_x_2, in_plane_x, position_by_time_y_2
+    del sin_node_by_time
+    position_by_time_x_4 = position_by_time_x_3 - in_plane_level_by_time_2 * sin_node
+    position_by_time_y_4 = position_by_time_y_3 + cos_node * in_plane_level_by_time_2
+    clock_by_time = clock_drift + s2
+    del sin_node, position_by_time_x_3, cos_node, in_plane_level_by_time_2, position_by_time_y_3
+    del s2, clock_drift
+    relativity_by_time = -(s3 * sin_anomaly_by_time)
     clock_by_time_2 = clock_by_time + relativity_by_time
     return (
         (position_x, position_y, position_z),
         (clock,),
-        (value_by_time_x_3, value_by_time_y_3, value_by_time_z_2),
+        (position_by_time_x_4, position_by_time_y_4, position_by_time_z_2),
         (clock_by_time_2,),
     )
 

@@ -85,11 +85,13 @@ def _kepler(mean: Quantity, eccentricity: Quantity) -> Quantity:
 def _position(q: Bound, tk: Quantity, a: Quantity, e: Quantity, anomaly: Quantity) -> Quantity:
     one = q.constant("1", 1.0)
     cos_e, sin_e = _map("cos_anomaly", sp.cos, anomaly), _map("sin_anomaly", sp.sin, anomaly)
-    root = _map("axis_ratio", lambda x: sp.sqrt(1 - x * x), e)
-    y, x = let("minor", root * sin_e), let("major", cos_e - e)
-    true = let(
-        "true_anomaly", Quantity(q.graph, (sp.atan2(y.elements[0], x.elements[0]),), one.unit)
-    )
+    # The true anomaly leads the eccentric one by twice the angle of (1 - b cos E, b sin E), where
+    # b = e/(1 + sqrt(1 - e^2)). The point stays away from the origin whatever E is, which an
+    # analysis that knows intervals can see; that of cos E - e and sin E circles around it.
+    ratio = _map("lead_ratio", lambda x: x / (1 + sp.sqrt(1 - x * x)), e)
+    y, x = let("lead_y", ratio * sin_e), let("lead_x", one - ratio * cos_e)
+    lead = Quantity(q.graph, (sp.atan2(y.elements[0], x.elements[0]),), one.unit)
+    true = let("true_anomaly", anomaly + 2.0 * let("lead", lead))
     phi = let("latitude_argument", true + q.vector("argument_of_perigee"))
     double = let("doubled_argument", 2.0 * phi)
     c2, s2 = _map("cos_doubled", sp.cos, double), _map("sin_doubled", sp.sin, double)

@@ -23,7 +23,7 @@ SCRIPT = "proof/run_eva.sh"
 _MARKS = {ir.Scalar.DOUBLE: "0x1p+1000", ir.Scalar.FLOAT: "0x1p+120F"}
 _OUT = {False: "", True: "out."}
 _LOWEST = "(-2147483647 - 1)"
-_FUNCTION = re.compile(r"^(?P<result>\w[^\n;{}()=]*?) (?P<name>\w+)\([^;{}]*\)\n\{", re.MULTILINE)
+_FUNCTION = re.compile(r"^(?P<result>\w[^\n;{}()=]*?)\s+(?P<name>\w+)\([^;{}]*\)\n\{", re.MULTILINE)
 
 
 @dataclass(frozen=True, slots=True)

@@ -175,10 +175,12 @@ SINGLE_POINT_INLINE single_point_flag_t broadcast_orbit_kernel(
         (1.0 - (in->eccentricity * cos(anomaly_3))));
     const single_point_real_t cos_anomaly = cos(eccentric_anomaly);
     const single_point_real_t sin_anomaly = sin(eccentric_anomaly);
-    const single_point_real_t axis_ratio = sqrt(1.0 - (in->eccentricity * in->eccentricity));
-    const single_point_real_t minor = axis_ratio * sin_anomaly;
-    const single_point_real_t major = cos_anomaly - in->eccentricity;
-    const single_point_real_t true_anomaly = atan2(minor, major);
+    const single_point_real_t lead_ratio = in->eccentricity /
+        (1.0 + sqrt(1.0 - (in->eccentricity * in->eccentricity)));
+    const single_point_real_t lead_y = lead_ratio * sin_anomaly;
+    const single_point_real_t lead_x = 1.0 - (cos_anomaly * lead_ratio);
+    const single_point_real_t lead = atan2(lead_y, lead_x);
+    const single_point_real_t true_anomaly = eccentric_anomaly + (2.0 * lead);
     const single_point_real_t latitude_argument = in->argument_of_perigee + true_anomaly;
     const single_point_real_t doubled_argument = 2.0 * latitude_argument;
     const single_point_real_t cos_doubled = cos(doubled_argument);
@@ -201,71 +203,78 @@ SINGLE_POINT_INLINE single_point_flag_t broadcast_orbit_kernel(
     const single_point_real_t cos_node = cos(node);
     const single_point_real_t sin_node = sin(node);
     const single_point_real_t in_plane_level = cos_inclination * in_plane_y;
-    const single_point_real_t position_y = (cos_node * in_plane_level) + (in_plane_x * sin_node);
-    const single_point_real_t position_z = in_plane_y * sin_inclination;
     const single_point_real_t since_toc_raw = in->time_2 - in->toc;
     const single_point_real_t since_toc_weeks =
         floor(0.5 + (1.6534391534391535e-06 * since_toc_raw));
     const single_point_real_t since_toc = since_toc_raw - (604800.0 * since_toc_weeks);
-    const single_point_real_t t142 = in->af2 * since_toc;
-    const single_point_real_t clock_drift = in->af1 + t142;
+    const single_point_real_t t147 = in->af2 * since_toc;
+    const single_point_real_t clock_drift = in->af1 + t147;
     const single_point_real_t eccentric_root = in->eccentricity * in->sqrt_a;
-    const single_point_real_t t130 = (-4.442807633e-10) * eccentric_root;
-    const single_point_real_t relativity = t130 * sin_anomaly;
+    const single_point_real_t t135 = (-4.442807633e-10) * eccentric_root;
+    const single_point_real_t relativity = t135 * sin_anomaly;
     /* shared reciprocal */
-    const single_point_real_t inverse_t157 = 1.0 / ((major * major) + (minor * minor));
-    const single_point_real_t true_anomaly_by_minor = major * inverse_t157;
-    const single_point_real_t true_anomaly_by_sin_anomaly = axis_ratio * true_anomaly_by_minor;
-    const single_point_real_t true_anomaly_by_eccentric_anomaly = cos_anomaly *
-        true_anomaly_by_sin_anomaly;
+    const single_point_real_t inverse_t161 = 1.0 / ((lead_x * lead_x) + (lead_y * lead_y));
+    const single_point_real_t lead_by_lead_y = lead_x * inverse_t161;
     const single_point_real_t eccentric_anomaly_by_time = mean_motion /
         (1.0 - (in->eccentricity * cos_anomaly));
-    const single_point_real_t value_by_node_y = cos_node * in_plane_x;
-    const single_point_real_t position_x = value_by_node_y - (in_plane_level * sin_node);
-    const single_point_real_t true_anomaly_by_time = eccentric_anomaly_by_time *
-        true_anomaly_by_eccentric_anomaly;
-    const single_point_real_t t151 = eccentric_anomaly_by_time * sin_anomaly;
-    const single_point_real_t true_anomaly_by_time_2 = true_anomaly_by_time +
-        (t151 * (minor * inverse_t157));
-    const single_point_real_t radius_by_time = t151 * (in->eccentricity * semi_major_axis);
-    const single_point_real_t sin_doubled_by_time = 2.0 * cos_doubled * true_anomaly_by_time_2;
-    const single_point_real_t cos_doubled_by_time = (-2.0) * sin_doubled * true_anomaly_by_time_2;
-    const single_point_real_t value_by_time_y = node_rate * position_x;
-    const single_point_real_t inclination_now_by_time = in->inclination_rate +
-        (in->cis * sin_doubled_by_time);
-    const single_point_real_t corrected_argument_by_time = true_anomaly_by_time_2 +
-        (in->cus * sin_doubled_by_time);
-    const single_point_real_t radius_by_time_2 = radius_by_time + (in->crs * sin_doubled_by_time);
+    const single_point_real_t sin_anomaly_by_time = cos_anomaly * eccentric_anomaly_by_time;
+    const single_point_real_t t156 = eccentric_anomaly_by_time * sin_anomaly;
+    const single_point_real_t lead_x_by_time = t156 * lead_ratio;
+    const single_point_real_t radius_by_time = t156 * (in->eccentricity * semi_major_axis);
+    const single_point_real_t lead_y_by_time = lead_ratio * sin_anomaly_by_time;
+    const single_point_real_t lead_by_time = lead_by_lead_y * lead_y_by_time;
+    const single_point_real_t lead_by_time_2 = lead_by_time -
+        (lead_y * inverse_t161 * lead_x_by_time);
+    const single_point_real_t true_anomaly_by_time = eccentric_anomaly_by_time +
+        (2.0 * lead_by_time_2);
+    const single_point_real_t doubled_argument_by_time = 2.0 * true_anomaly_by_time;
+    const single_point_real_t sin_doubled_by_time = cos_doubled * doubled_argument_by_time;
+    const single_point_real_t t173 = doubled_argument_by_time * sin_doubled;
+    const single_point_real_t inclination_now_by_time = in->inclination_rate - (in->cic * t173);
+    const single_point_real_t corrected_argument_by_time = true_anomaly_by_time - (t173 * in->cuc);
+    const single_point_real_t radius_by_time_2 = radius_by_time - (t173 * in->crc);
     const single_point_real_t inclination_now_by_time_2 = inclination_now_by_time +
-        (in->cic * cos_doubled_by_time);
+        (in->cis * sin_doubled_by_time);
     const single_point_real_t corrected_argument_by_time_2 = corrected_argument_by_time +
-        (cos_doubled_by_time * in->cuc);
-    const single_point_real_t radius_by_time_3 = radius_by_time_2 + (cos_doubled_by_time * in->crc);
-    const single_point_real_t value_by_time_z = in_plane_level * inclination_now_by_time_2;
-    const single_point_real_t in_plane_y_by_time = corrected_argument_by_time_2 * in_plane_x;
+        (in->cus * sin_doubled_by_time);
+    const single_point_real_t radius_by_time_3 = radius_by_time_2 + (in->crs * sin_doubled_by_time);
+    const single_point_real_t sin_argument_by_time = corrected_argument_by_time_2 * cos_argument;
+    const single_point_real_t in_plane_y_by_time = radius_by_time_3 * sin_argument;
+    const single_point_real_t in_plane_x_by_time = cos_argument * radius_by_time_3;
+    const single_point_real_t sin_inclination_by_time = cos_inclination * inclination_now_by_time_2;
+    const single_point_real_t sin_node_by_time = cos_node * node_rate;
+    const single_point_real_t in_plane_x_by_time_2 = in_plane_x_by_time -
+        (corrected_argument_by_time_2 * sin_argument * radius);
+    const single_point_real_t position_by_time_x = cos_node * in_plane_x_by_time_2;
+    const single_point_real_t position_by_time_y = in_plane_x_by_time_2 * sin_node;
     const single_point_real_t in_plane_y_by_time_2 = in_plane_y_by_time +
-        (radius_by_time_3 * sin_argument);
-    const single_point_real_t in_plane_x_by_time_2 = (cos_argument * radius_by_time_3) -
-        (corrected_argument_by_time_2 * in_plane_y);
-    const single_point_real_t in_plane_level_by_time_2 = (cos_inclination * in_plane_y_by_time_2) -
-        (inclination_now_by_time_2 * position_z);
-    const single_point_real_t value_by_time_x_2 = (cos_node * in_plane_x_by_time_2) -
-        (node_rate * position_y);
-    const single_point_real_t value_by_time_y_2 = value_by_time_y +
-        (in_plane_x_by_time_2 * sin_node);
-    const single_point_real_t sin_anomaly_clock_by_time = cos_anomaly * eccentric_anomaly_by_time;
-    const single_point_real_t clock_by_time = clock_drift + t142;
-    const single_point_real_t relativity_by_time = t130 * sin_anomaly_clock_by_time;
+        (radius * sin_argument_by_time);
+    const single_point_real_t position_by_time_z = in_plane_y_by_time_2 * sin_inclination;
+    const single_point_real_t in_plane_level_by_time = cos_inclination * in_plane_y_by_time_2;
+    const single_point_real_t in_plane_level_by_time_2 = in_plane_level_by_time -
+        (inclination_now_by_time_2 * sin_inclination * in_plane_y);
+    const single_point_real_t t188 = node_rate * sin_node;
+    const single_point_real_t position_by_time_x_2 = position_by_time_x - (t188 * in_plane_x);
+    const single_point_real_t position_by_time_y_2 = position_by_time_y - (t188 * in_plane_level);
+    const single_point_real_t position_by_time_x_3 = position_by_time_x_2 -
+        (in_plane_level * sin_node_by_time);
+    const single_point_real_t position_by_time_y_3 = position_by_time_y_2 +
+        (in_plane_x * sin_node_by_time);
+    const single_point_real_t clock_by_time = clock_drift + t147;
+    const single_point_real_t relativity_by_time = t135 * sin_anomaly_by_time;
 
-    out->position[0] = position_x;  /* position x */
-    out->position[1] = position_y;  /* position y */
-    out->position[2] = position_z;  /* position z */
+    out->position[0] = (cos_node * in_plane_x) - (in_plane_level * sin_node);  /* position x */
+    out->position[1] = (cos_node * in_plane_level) + (in_plane_x * sin_node);  /* position y */
+    out->position[2] = in_plane_y * sin_inclination;  /* position z */
 
     out->clock[0] = in->af0 + relativity + ((clock_drift * since_toc) - in->group_delay);
 
-    out->velocity[0] = value_by_time_x_2 - (in_plane_level_by_time_2 * sin_node);  /* velocity x */
-    out->velocity[1] = value_by_time_y_2 + (cos_node * in_plane_level_by_time_2);  /* velocity y */
-    out->velocity[2] = value_by_time_z + (in_plane_y_by_time_2 * sin_inclination);  /* velocity z */
+    /* velocity x */
+    out->velocity[0] = position_by_time_x_3 - (in_plane_level_by_time_2 * sin_node);
+    /* velocity y */
+    out->velocity[1] = position_by_time_y_3 + (cos_node * in_plane_level_by_time_2);
+    /* velocity z */
+    out->velocity[2] = position_by_time_z + (in_plane_y * sin_inclination_by_time);
 
     out->clock_rate[0] = clock_by_time + relativity_by_time;
 

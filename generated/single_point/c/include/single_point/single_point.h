@@ -729,7 +729,7 @@ single_point_status_t single_point_pseudorange_without_sagnac_batch_nz(
  * - Earth-fixed axes at the time given, which is the time of transmission for a pseudorange.
  * - Kepler's equation by 4 Newton steps: error below 1e-16 rad for eccentricities up to 0.1.
  * - group_delay is TGD or BGD of the signal: the clock is that of the signal.
- * Operations: 32 additions, 32 subtractions, 83 multiplications, 7 divisions, 2 sqrt, 10 sin, 9
+ * Operations: 31 additions, 38 subtractions, 93 multiplications, 8 divisions, 2 sqrt, 10 sin, 9
  * cos, 1 atan2, 2 floor.
  * Outputs are written only when the status is OK. Inputs and outputs must not overlap. Reentrant.
  *
