@@ -83,7 +83,7 @@ def files(bundle: Bundle) -> dict[str, str]:
         "samples": SAMPLES,
         "instructions": TICK,
         "items": max(function.maximum or 0 for _, function in bundle.functions()),
-        "outputs": [_room(tree, bundle) for tree in bundle.trees],
+        "outputs": [_room(tree, bundle) for tree in bundle.trees if tree.module.functions],
         "given": [one for tree, function in bundle.functions() for one in _given(
             bundle, tree, function)],
         "forms": list(_forms(bundle)),

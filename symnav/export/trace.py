@@ -23,7 +23,11 @@ PATH = "docs/trace.csv"
 
 _RESULT = re.compile(rf"(?:{OUTPUT_POINTER}|{SHARED_POINTER})->(\w+)\[(\d+)\] = ")
 _GUARD = re.compile(r"const bool \w+ = is_within\(")
-_INPUT = re.compile(r"(?:outside \|= \w+\(|\w+->[\w\[\]]+ = )(\w+)\[(\d+)\][,;]")
+# Elements of an epoch are a stride apart; where there is one epoch that is one.
+_INPUT = re.compile(
+    r"(?:outside \|= \w+\(|\w+->[\w\[\]]+ = |const \w+ \w+ = \w+->)"
+    r"(\w+)\[(?:(\d+)(?: \* [\w>-]*stride)?|[\w>-]*stride)\][,;]"
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -134,7 +138,7 @@ def _inputs(function: ir.Function, statements: list[_Statement]) -> Iterator[_Pl
     for statement in statements:
         match = _INPUT.match(statement.text)
         if match and match[1] in known:
-            argument, position = known[match[1]], int(match[2])
+            argument, position = known[match[1]], int(match[2] or 1)
             element = f"{argument.name}[{position}]"
             yield "input", element, _meaning(argument, position), statement
 

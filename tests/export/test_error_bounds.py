@@ -149,8 +149,13 @@ def test_a_tolerance_that_is_kept_changes_nothing(tmp_path: Path) -> None:
     assert result.exit_code == 0, result.output
     again = run(str(spec), "--to", str(tmp_path / "b"), "--scalar", "float")
     assert again.exit_code == 0
+    told = {
+        "README.md",
+        "manifest.json",
+        "sbom.spdx.json",
+    }  # the command, and digests of what says it
     for path in (tmp_path / "a").rglob("*"):
-        if path.is_file():
+        if path.is_file() and path.name not in told:
             assert (
                 path.read_bytes()
                 == (tmp_path / "b" / path.relative_to(tmp_path / "a")).read_bytes()

@@ -118,11 +118,19 @@ MISTAKES = {
     "coefficient of a series": ("rover_f32_retract_kernel.h", r"- 0\.0208", "+ 0.0208"),
     "series of a logarithm": (
         "rover_f32_local_kernel.h",
-        r"\(attitude_log_tangent_squared \* t97\)",
-        "(attitude_log_tangent_squared / t97)",
+        r"(attitude_log_series = 1\.0F \+ \(attitude_log_tangent_squared) \*",
+        r"\1 /",
     ),
-    "index of an input": ("rover_f32_gps_kernel.h", r"take_centred\(x\[17\]", "take_centred(x[16]"),
-    "bound, by its last place": ("rover_f32_gps_kernel.h", r"x\[16\], 10\.0F", "x[16], 9.999999F"),
+    "index of an input": (
+        "rover_f32_gps_kernel.h",
+        r"take_centred\(x\[17 \*",
+        "take_centred(x[16 *",
+    ),
+    "bound, by its last place": (
+        "rover_f32_gps_kernel.h",
+        r"(x\[16 \* stride\]), 10\.0F",
+        r"\1, 9.999999F",
+    ),
     "norm is not looked at": ("rover_f32_gps_kernel.h", r"skewed \|= is_skewed", "(void)is_skewed"),
     "range is forgotten": (
         "rover_range_kernel.h",
@@ -131,13 +139,13 @@ MISTAKES = {
     ),
     "geometry is not looked at": (
         "rover_range_kernel.h",
-        r"range_squared_ok \? \(flag_t\)ROVER_OK : \(flag_t\)ROVER_DOMAIN",
-        "(flag_t)ROVER_OK",
+        r"range_squared_ok \? \(rover_flag_t\)ROVER_OK : \(rover_flag_t\)ROVER_DOMAIN",
+        "(rover_flag_t)ROVER_OK",
     ),
     "wrong status": (
         "rover_range_kernel.h",
-        r"\(outside != 0U\) \? \(flag_t\)ROVER_RANGE",
-        "(outside != 0U) ? (flag_t)ROVER_DOMAIN",
+        r"\(outside != 0U\) \? \(rover_flag_t\)ROVER_RANGE",
+        "(outside != 0U) ? (rover_flag_t)ROVER_DOMAIN",
     ),
     "pointer": ("rover_f32_imu.c", r"\(dt != NULL\) &&\s+", ""),
     "count": ("rover_range.c", r"n <= ROVER_RANGE_MAX_ITEMS", "n <= (ROVER_RANGE_MAX_ITEMS + 1)"),
@@ -187,7 +195,7 @@ DIFFERENCE_MISTAKES = {
     "index of the reference": (r"reference >= n", "reference > n"),
     "matrix": (r"\? -1\.0 : 0\.0", "? 1.0 : 0.0"),
     "variance of the reference": (r"common \+ own", "own"),
-    "deviation is not looked at": (r"outside \|= is_outside\(sigma", "(void)is_outside(sigma"),
+    "deviation is not looked at": (r"outside \|= take_value\(sigma", "(void)take_value(sigma"),
 }
 
 
@@ -213,7 +221,7 @@ def test_is_c_alone(bundle: Exported) -> None:
     folder = bundle("rover", "float")
     text = (folder / "test" / "test_rover_f32.c").read_text()
     assert "int main(void)" in text
-    everything = "".join(path.read_text() for path in (folder / "test").iterdir())
+    everything = "".join(path.read_text() for path in (folder / "test").glob("*.[ch]"))
     for word in ("malloc", "fopen", "argv", "time("):
         assert word not in everything
 

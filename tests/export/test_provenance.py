@@ -32,7 +32,7 @@ def test_manifest_lists_every_file_and_the_specification(model: str, scalar: str
     digests = {path: hashlib.sha256(content).hexdigest() for path, content in found.items()}
     assert manifest["files"] == digests
     assert manifest["specification"] == digests["spec.json"]
-    assert manifest["options"] == {"scalar": scalar, "tolerance": None}
+    assert manifest["options"] == {"scalar": scalar, "tolerance": None, "batches": False}
     for path, content in found.items():
         if path.endswith((".c", ".h")) and path.startswith(("src/", "include/")):
             assert manifest["specification"][:16].encode() in content, path

@@ -46,7 +46,7 @@ def test_json_says_the_same(tmp_path: Path) -> None:
 def test_every_part_is_told(tmp_path: Path) -> None:
     told: list[str] = []
     pipeline.export(pipeline.load("reference_relative"), tmp_path, progress=told.append)
-    assert told[:2] == ["derive", "emit"] and told[-1] == "write"
+    assert told[:2] == ["derive", "lower"] and told[-1] == "write"
     assert {"building", "documents", "glue", "provenance", "bill of materials"} <= set(told)
 
 

@@ -70,7 +70,11 @@ class Single:
 
     def _routines(self) -> list[Routine]:
         outputs = self.kernel.function.outputs
-        puts = [store.putting() for store in stores_of(self.kernel, self.kernel.results, Use.DENSE)]
+        puts = [
+            store.putting()
+            for store in stores_of(self.kernel, self.kernel.results, Use.DENSE)
+            if self.batches or is_jacobian(store.output)
+        ]
         uses = (Use.DENSE, Use.STACKED) if self.batches else (Use.DENSE,)
         fills = {
             store.fill: store.filling()

@@ -28,7 +28,7 @@ EVALUATIONS = {FLOAT: 1_000_000, DOUBLE: 200_000}
 
 def trees(folder: Path, model: str, scalar: ir.Scalar) -> str:
     """Export a model and give the prefix of the tree in the type."""
-    pipeline.export(pipeline.load(model), folder, scalar=scalar.value)
+    pipeline.export(pipeline.load(model), folder, scalar=scalar.value, batches=True)
     bundle = json.loads((folder / "proof" / "error_bounds.json").read_text())
     return next(str(t["prefix"]) for t in bundle["trees"] if t["type"] == scalar.value)
 
