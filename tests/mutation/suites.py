@@ -55,6 +55,7 @@ LEFT_OUT = (
     "mutation",
     "performance",
     "test_bench.py",
+    "test_benchmark_lines.py",
     "test_ci.py",
     "test_cli.py",
     "test_generated.py",
