@@ -62,16 +62,17 @@ _GAP = 4  # elements behind every output that must stay untouched
 def files(bundle: Bundle) -> dict[str, str]:
     """The test program and its headers, below ``test/``."""
     first = bundle.trees[0].module
+    trees = [tree for tree in bundle.trees if tree.module.functions]
     text = {
         f"test/test_{bundle.name}.c": render(
             "export/test/test.c.j2",
             name=bundle.name,
             generator=first.generator,
             digest=first.digest[:16],
-            trees=[tree.prefix for tree in bundle.trees],
+            trees=[tree.prefix for tree in trees],
         )
     }
-    for tree in bundle.trees:
+    for tree in trees:
         text |= _tree_files(bundle, tree)
     return text
 

@@ -121,7 +121,9 @@ def _kernel_header(module: ir.Module, kernel: Kernel) -> str:
 
 
 def _check_header(module: ir.Module, target: Target, kernels: Sequence[Kernel]) -> str:
-    wanted = {"first_failure"}.union(*(kernel.helpers() for kernel in kernels))
+    wanted = set().union(*(kernel.helpers() for kernel in kernels))
+    if module.batches or any(kernel.mapped for kernel in kernels):
+        wanted.add("first_failure")
     if module.batches:
         wanted.update(*(Blocks(kernel).helpers() for kernel in kernels if not kernel.mapped))
     if any(kernel.function.single_difference and kernel.function.guarded for kernel in kernels):
