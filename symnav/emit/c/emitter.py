@@ -72,7 +72,12 @@ def emit(module: ir.Module) -> dict[str, str]:
         files[f"{src}/{symbol}_kernel.h"] = _kernel_header(module, source.kernel)
         lead = banner(module, f"{symbol}.c", f"{title}: entry points.")
         files[f"{src}/{symbol}.c"] = source.source(lead)
-    return {path: fitted(_with_own_flags(text, target)) for path, text in files.items()}
+    return {path: _finished(text, target) for path, text in files.items()}
+
+
+def _finished(text: str, target: Target) -> str:
+    """A file as it is written: lines that fit, and one end of line at its end."""
+    return fitted(_with_own_flags(text, target)).rstrip("\n") + "\n"
 
 
 def _with_own_flags(text: str, target: Target) -> str:
