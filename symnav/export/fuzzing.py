@@ -85,7 +85,7 @@ class Harness:
     def _room(self, array: Array) -> str:
         if self.entry.epochs:
             return str(array.elements)
-        if array.runs is None or array.runs.items == "1" or "* (n" in array.runs.items:
+        if array.runs is None or array.runs.items == "1" or " * " in array.runs.items:
             return str(array.size)
         if array.runs.pitch == 1:
             return f"count * {array.runs.stride}"

@@ -79,8 +79,8 @@ def copy_of(model: str, scalar: str, folder: Path) -> Path:
     return target
 
 
-def replace_in(path: Path, old: str, new: str) -> None:
+def replace_in(path: Path, old: str, new: str, count: int = -1) -> None:
     """Change a file; what is changed must be there."""
     text = path.read_text()
     assert old in text, f"{path.name} does not hold {old!r}"
-    path.write_text(text.replace(old, new))
+    path.write_text(text.replace(old, new, count))

@@ -31,12 +31,13 @@ def test_nothing_is_found(model: str, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("path", "old", "new"),
     [
-        ("src/rover_check.h", "fabs(value) <= bound", "!(fabs(value) > bound)"),
+        # An item too many, and an output that is written although the count is refused.
         ("src/rover_range.c", "i < count; ++i", "i <= count; ++i"),
+        ("src/rover_range.c", "status = ROVER_COUNT;", "status = ROVER_COUNT; value[0] = 0.0;"),
     ],
 )
 def test_what_is_broken_is_found(path: str, old: str, new: str, tmp_path: Path) -> None:
     folder = copy_of("rover", "double", tmp_path)
-    replace_in(folder / path, old, new)
+    replace_in(folder / path, old, new, 1)
     record = Fuzz(runs=300_000, seconds=60).run(folder)
     assert record.verdict is Verdict.FAILED and record.findings
