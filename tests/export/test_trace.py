@@ -50,8 +50,11 @@ def switched(statement: str, row: Row, k: int) -> str:
         return re.sub(r" = (.*);$", rf" = SHIFT({k}) + (\1);", statement, flags=re.DOTALL)
     if row["kind"] == "guard":
         return re.sub(r" =\s(.*);$", rf" = !FAIL({k}) && \1;", statement, flags=re.DOTALL)
-    element = row["element"]
-    assert element in statement
+    # Elements of an epoch are a stride apart, which is one where there is one epoch.
+    name, index = row["element"].rstrip("]").split("[")
+    forms = [f"{name}[{index}]", f"{name}[{index} * stride]"]
+    forms += [f"{name}[stride]"] if index == "1" else []
+    (element,) = (form for form in forms if form in statement)
     return statement.replace(element, f"(FAIL({k}) ? {bad(row)} : {element})", 1)
 
 
