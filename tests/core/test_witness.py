@@ -71,12 +71,12 @@ def held() -> Case:
     )
 
 
-def turned(error_frame: str = "b") -> Case:
+def turned(maps: str) -> Case:
     """A given position whose error is resolved in the frame of the attitude of the state."""
     return Case(
         "gnss_position",
-        [rotation("q", error="left")],
-        [replace(vector("p0", frame="n", bound=9.0), error_frame=error_frame)],
+        [rotation("q", error="left", maps=maps)],
+        [replace(vector("p0", frame="n", bound=9.0), error_frame="b")],
         {"position": "p0", "attitude": "q", "lever_arm": (1.0, -2.0, 0.5)},
         {"body": "b", "nav": "n", "state": "n"},
         entry={"jacobian_inputs": ("p0",)},
@@ -91,7 +91,8 @@ CASES = {
     "covariance": covariance(),
     "held axes": held(),
     "orbit": orbit("gps"),
-    "turned error of an input": turned(),
+    "turned error of an input": turned("b -> n"),
+    "turned error, map the other way": turned("n -> b"),
 }
 GIVEN = {**GEOMETRY, **ELEMENTS, "slot": (2,)}
 

@@ -35,17 +35,24 @@ def kept(*steps: ir.Step, value: str) -> list[str]:
         (add(a(0), 6.0), 0.5, 100.0, False),
         (add(a(0), 6.0), 1.0, 100.0, True),  # rounding may take it below
         (add(a(0), 6.0), 0.5, 10.9, True),
+        (add(a(0), 6.0), 0.5, 11.0, True),  # rounding may take it above
         (sub(a(0), a(1)), -10.1, 10.1, False),
         (sub(a(0), a(1)), -9.9, 10.1, True),
         (mul(a(0), a(0)), -1.0, 25.1, False),  # a square is not negative
         (mul(a(0), a(1)), -1.0, 25.1, True),
         (call(Op.NEG, mul(a(0), a(0))), -25.1, 1.0, False),
+        (call(Op.NEG, add(a(0), 6.0)), -10.0, 0.0, True),
+        (call(Op.NEG, add(a(0), 6.0)), -11.1, -0.5, False),
         (call(Op.SQRT, add(mul(a(0), a(0)), 1.0)), 0.5, 6.0, False),
         (call(Op.SQRT, a(0)), -1.0, 6.0, True),  # may be no number
         (call(Op.DIV, 1.0, add(a(0), 6.0)), 0.0, 1.1, False),
         (call(Op.DIV, 1.0, a(0)), -1e30, 1e30, True),
         (call(Op.ABS, a(0)), -0.1, 5.1, False),
         (call(Op.COS, a(0)), -1.1, 1.1, False),
+        (call(Op.COS, a(0)), -0.9, 1.1, True),
+        (call(Op.SIN, a(0)), -0.9, 1.1, True),
+        (ir.Number(0.0), 0.0, 1.0, True),  # a rounding below
+        (ir.Number(0.0), -1.0, 0.0, True),  # and above
         (call(Op.TAN, a(0)), -1e30, 1e30, True),
         (call(Op.MAX, a(0), 2.0), 1.9, 5.1, False),
         (call(Op.MIN, a(0), 2.0), -5.1, 2.1, False),

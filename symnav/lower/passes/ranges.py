@@ -35,7 +35,7 @@ class Interval:
         return math.isfinite(self.lower) and math.isfinite(self.upper)
 
 
-ANYTHING = Interval(-math.inf, math.inf)
+ANYTHING = Interval(float("-inf"), float("inf"))
 
 
 def drop_idle_checks(function: ir.Function) -> ir.Function:
