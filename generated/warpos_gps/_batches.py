@@ -93,9 +93,9 @@ class BatchFunction(Function):
             ValueError: when they cannot; the general way says why.
         """
         wanted, extent = self.signature.outputs, Extent(batch, items)
-        fields = len(self.signature.result._fields)  # type: ignore[attr-defined]
+        statuses = 1 if items is None else 2  # a result that is used again brings them along
         listed = [out] if type(out) is np.ndarray else list(out)
-        if type(out) is dict or len(listed) not in (len(wanted), fields):
+        if type(out) is dict or len(listed) not in (len(wanted), len(wanted) + statuses):
             raise ValueError("out")
         del listed[len(wanted) :]
         for place, (array, output) in enumerate(zip(listed, wanted, strict=True)):

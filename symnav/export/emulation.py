@@ -128,7 +128,7 @@ class Called:
 
 
 @dataclass(frozen=True, slots=True)
-class Record:
+class Emulated:
     """What one run found.
 
     Attributes:
@@ -137,7 +137,7 @@ class Record:
         compiler: name and version.
         emulator: name and version.
         flags: of the compiler.
-        tests: what the tests printed; they passed, or there is no record.
+        tests: what the tests printed; they passed, or there is nothing.
         units: of the library.
         calls: of its functions.
     """
@@ -168,7 +168,7 @@ def missing() -> tuple[str, ...]:
     return tuple(tool for tool in TOOLS if shutil.which(tool) is None)
 
 
-def run(folder: Path, cpu: str) -> Record:
+def run(folder: Path, cpu: str) -> Emulated:
     """Build a bundle for a processor, run its tests there and compare it with this machine.
 
     Args:
@@ -187,7 +187,7 @@ def run(folder: Path, cpu: str) -> Record:
     there = _printed(target.emulated(place / "count.elf"))
     if here.forms.keys() != there.forms.keys():
         raise BuildError(f"{cpu}: the run that counts ended early")
-    return Record(
+    return Emulated(
         cpu=cpu,
         machine=target.machine,
         compiler=said("arm-none-eabi-gcc", "--version").splitlines()[0],

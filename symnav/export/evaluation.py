@@ -204,11 +204,13 @@ def _load(
         for place in range(domain.size):
             index = domain.start + place
             lower, upper = domain.lower[place], domain.upper[place]
+            low: Any
+            high: Any
             if argument.integer:
                 low, high = (int(text) for text in literals.integer_bounds(lower, upper))
                 stand_in: Any = low
             elif function.guarded:
-                low, high = bounds(lower, upper, arithmetic.scalar)  # type: ignore[assignment]
+                low, high = bounds(lower, upper, arithmetic.scalar)
                 stand_in = arithmetic.kind.type(0.0) if low == -high else low
             else:
                 continue

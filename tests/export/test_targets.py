@@ -17,7 +17,7 @@ from symnav.cli import main
 from symnav.emit.templates import directory
 from symnav.errors import BuildError
 from symnav.export import emulation
-from symnav.export.emulation import TARGETS, Called, Record, Unit
+from symnav.export.emulation import TARGETS, Called, Emulated, Unit
 from symnav.export.targets import FOLDER
 
 MODELS = [name for name, _ in pipeline.shipped()]
@@ -233,8 +233,8 @@ def test_toolchain_file_for_cmake(cpu: str, tmp_path: Path) -> None:
     assert "Tag_ABI_VFP_args: VFP registers" in about
 
 
-def record_of(unit: Unit, call: Called) -> Record:
-    return Record("cortex-m4", "mps2-an386", "gcc", "qemu", (), "", (unit,), (call,))
+def record_of(unit: Unit, call: Called) -> Emulated:
+    return Emulated("cortex-m4", "mps2-an386", "gcc", "qemu", (), "", (unit,), (call,))
 
 
 UNIT = Unit("src/a.c", "float", ("memcpy", "sinf", "sqrtf"))
