@@ -13,10 +13,11 @@ import os
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from symnav.build.objects import said
 from symnav.errors import BuildError, ProofError
 
 #: Versions of clang that know modified condition/decision coverage, the one that is tested first.
@@ -135,7 +136,7 @@ def measure(folder: Path) -> Coverage:
         work = Path(name)
         program, raw, profile = work / "tests", work / "raw", work / "profile"
         include = (f"-I{root / 'include'}", f"-I{root / 'test'}")
-        _run([tools.clang, *FLAGS, *include, *map(str, sources), "-lm", "-o", str(program)])
+        said(tools.clang, *FLAGS, *include, *map(str, sources), "-lm", "-o", str(program))
         ran = subprocess.run(
             [str(program)],
             env={**os.environ, "LLVM_PROFILE_FILE": str(raw)},
@@ -145,10 +146,10 @@ def measure(folder: Path) -> Coverage:
         )
         if ran.returncode != 0:
             raise ProofError(f"the tests of {folder} fail:\n{ran.stdout.strip()}")
-        _run([tools.profdata, "merge", str(raw), "-o", str(profile)])
+        said(tools.profdata, "merge", str(raw), "-o", str(profile))
         report = [tools.cov, "export", str(program), f"-instr-profile={profile}"]
-        records = _run([*report, "-skip-expansions", "-skip-functions"])
-        lines = _lines(_run([*report, "-format=lcov"]))
+        records = said(*report, "-skip-expansions", "-skip-functions")
+        lines = _lines(said(*report, "-format=lcov"))
     return Coverage(_files(records, lines, root), _version(tools))
 
 
@@ -162,14 +163,7 @@ def _tools() -> _Tools | None:
 
 
 def _version(tools: _Tools) -> str:
-    return _run([tools.clang, "--version"]).splitlines()[0]
-
-
-def _run(command: Sequence[str]) -> str:
-    ran = subprocess.run(command, capture_output=True, text=True, check=False)
-    if ran.returncode != 0:
-        raise BuildError(f"{command[0]} failed:\n{ran.stderr.strip()}")
-    return ran.stdout
+    return said(tools.clang, "--version").splitlines()[0]
 
 
 def _lines(text: str) -> dict[str, Count]:
