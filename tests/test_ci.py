@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.util
+import sys
 from collections.abc import Mapping
 from pathlib import Path
 from types import ModuleType
@@ -15,11 +16,12 @@ RAN, SKIPPED, EXPECTED = "", "<skipped/>", '<skipped type="pytest.xfail"/>'
 
 
 @pytest.fixture
-def skips() -> ModuleType:
+def skips(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
     """The script that reads the reports."""
     spec = importlib.util.spec_from_file_location("skips", SCRIPT)
     assert spec is not None and spec.loader is not None
     module = importlib.util.module_from_spec(spec)
+    monkeypatch.setitem(sys.modules, "skips", module)
     spec.loader.exec_module(module)
     return module
 
@@ -62,6 +64,28 @@ def test_skipped_tests_are_made_up_for(
         assert skips.main("none", report(tmp_path / "left.xml", left), first) == 1
         again = {**second, name: SKIPPED}
         assert skips.main("none", report(tmp_path / "again.xml", again), first) == 1
+
+
+def test_a_tool_that_cannot_be_had_excuses_what_needs_it(
+    skips: ModuleType,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """What names it in its reason is listed; anything else fails; the summary says why."""
+    proof = '<skipped message="frama-c is not installed (apt: frama-c-base)"/>'
+    outcomes = {("tests.export.test_eva", "test_a"): proof, ("tests.test_cli", "test_b"): RAN}
+    path = report(tmp_path / "slow.xml", outcomes)
+    assert skips.main("none", path) == 1
+    monkeypatch.setenv("CI_ABSENT", "clang frama-c ")
+    assert skips.main("none", path) == 0
+    capsys.readouterr()
+    assert skips.main("summary", path) == 0
+    told = capsys.readouterr().out
+    assert "slow: 1 tests ran" in told and "could not be installed: clang, frama-c" in told
+    assert "frama-c is not installed" in told and "tests.export.test_eva::test_a" in told
+    other = {**outcomes, ("tests.test_cli", "test_c"): '<skipped message="needs clang-19"/>'}
+    assert skips.main("none", report(tmp_path / "other.xml", other)) == 1
 
 
 def test_no_test_at_all(skips: ModuleType, tmp_path: Path) -> None:
