@@ -120,7 +120,9 @@ def main(verb: str, *reports: str) -> int:
     if verb == "files":
         print("\n".join(files(paths[0])))
         return 0
-    return summary(*paths) if verb == "summary" else none(paths[0], *(paths[1:] or [None]))
+    if verb == "summary":
+        return summary(*paths)
+    return none(paths[0], paths[1] if len(paths) > 1 else None)
 
 
 if __name__ == "__main__":
