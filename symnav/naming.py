@@ -270,8 +270,3 @@ def symbol(prefix: str, *parts: str) -> str:
 def macro(prefix: str, *parts: str) -> str:
     """A C macro or enumerator: ``ROVER_GPS_MAX_ITEMS``."""
     return symbol(prefix, *parts).upper()
-
-
-def include_guard(path: str) -> str:
-    """The include guard of a header: ``ROVER_ROVER_H`` for ``rover/rover.h``."""
-    return re.sub(r"[^A-Za-z0-9]", "_", path).upper()

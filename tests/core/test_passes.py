@@ -10,7 +10,6 @@ import pytest
 from symnav import ir
 from symnav.lower.passes.counts import count_operations
 from symnav.lower.passes.inline import inline
-from symnav.lower.passes.prune import prune
 from symnav.lower.passes.reciprocals import share_reciprocals
 from tests.core.interpreter import DOUBLE, Interpreter
 from tests.core.judging import draw
@@ -105,20 +104,6 @@ def test_lines_are_as_long_as_allowed() -> None:
     assert [(step.target, operands(step.value)) for step in folded.shared] == [("t3", 4)]
     (output,) = folded.outputs
     assert operands(output.entries[0].value) == 4
-
-
-@pytest.mark.parametrize("name", list(CASES))
-def test_pruning(name: str) -> None:
-    """One output alone: the same bits, no more steps, every check."""
-    function = lowered(CASES[name].spec(), "casadi")
-    whole = evaluated(name, function)
-    for output in function.outputs:
-        pruned = prune(function, {output.name})
-        assert evaluated(name, pruned) == {output.name: whole[output.name]}
-        checks = [s for s in (*function.shared, *function.item) if isinstance(s, ir.Check)]
-        assert set(checks) <= {*pruned.shared, *pruned.item}
-    with pytest.raises(KeyError, match="'nothing'"):
-        prune(function, {"value", "nothing"})
 
 
 def test_counts_of_items() -> None:

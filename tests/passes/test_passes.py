@@ -12,7 +12,6 @@ from numpy.testing import assert_allclose
 from symnav import ir
 from symnav.lower.passes.counts import count_operations
 from symnav.lower.passes.inline import inline
-from symnav.lower.passes.prune import prune
 from symnav.lower.passes.ranges import drop_idle_checks
 from symnav.lower.passes.reciprocals import share_reciprocals
 from symnav.lower.passes.walk import nodes, references
@@ -28,7 +27,6 @@ PASSES: dict[str, Pass] = {
     "reciprocals": share_reciprocals,
     "idle checks": drop_idle_checks,
     "both": lambda function: inline(share_reciprocals(function)),
-    "prune": lambda function: prune(function, [output.name for output in function.outputs]),
 }
 
 
@@ -88,34 +86,6 @@ def test_results_are_the_same(name: str, transform: Pass) -> None:
         assert found.item_status == expected.item_status
         for key, array in expected.outputs.items():
             assert_allclose(found.outputs[key], array, rtol=1e-15)
-
-
-class TestPrune:
-    """Keeping some outputs."""
-
-    def test_what_only_others_need_goes(self) -> None:
-        """The value alone needs no cross products."""
-        pruned = prune(FUNCTIONS["range"], ["value"])
-        assert [output.name for output in pruned.outputs] == ["value"]
-        targets = {step.target for step in (*pruned.shared, *pruned.item)}
-        assert not targets & {"b0", "b1", "b2", "ux", "inverse"}
-        assert {"range", "range_squared", "R00", "height"} <= targets
-
-    def test_checks_stay_with_what_they_read(self) -> None:
-        """The Jacobian alone fails where the joint call does."""
-        function = FUNCTIONS["gps"]
-        pruned = prune(function, ["jacobian"])
-        targets = [step.target for step in pruned.shared]
-        assert "length_squared" in targets
-        assert "length" not in targets and "arm_x" not in targets
-        inputs = draw(function, 1)
-        inputs["lever_arm"][:] = 0.0
-        assert evaluate(pruned, inputs).status is ir.Status.DOMAIN
-
-    def test_unknown_output(self) -> None:
-        """It is named."""
-        with pytest.raises(KeyError, match="gps has no output 'jacobean'"):
-            prune(FUNCTIONS["gps"], ["jacobean"])
 
 
 class TestReciprocals:

@@ -104,7 +104,6 @@ def test_clashes() -> None:
 def test_macros_and_symbols() -> None:
     assert naming.macro("rover", "gps", "max_items") == "ROVER_GPS_MAX_ITEMS"
     assert naming.symbol("rover", "gps", "nz") == "rover_gps_nz"
-    assert naming.include_guard("rover/rover_types.h") == "ROVER_ROVER_TYPES_H"
 
 
 @pytest.mark.skipif(which("gcc") is None or which("g++") is None, reason="needs gcc and g++")
