@@ -144,9 +144,11 @@ def operations(contestant: Contestant, folder: Path) -> int | None:
         encoding="utf-8",
     )
     program = source.with_suffix("")
+    # ``counted.hpp`` has sine and cosine: the header of a tree that has its own is passed over.
+    own = [f"-D{h.stem.upper()}_H" for p in candidate.include for h in p.glob("*_trigonometry.h")]
     command = [
         "g++", "-std=c++17", "-O0", "-w", "-fpermissive", "-Drestrict=", f"-I{HERE}", f"-I{folder}",
-        *(f"-I{place}" for place in candidate.include), str(source), "-o", str(program),
+        *(f"-I{place}" for place in candidate.include), *own, str(source), "-o", str(program),
     ]  # fmt: skip
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode:

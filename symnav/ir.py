@@ -31,6 +31,9 @@ class Status(IntEnum):
 class Operation(StrEnum):
     """Arithmetic the representation knows.
 
+    ``OWN_SIN`` and ``OWN_COS`` are sine and cosine of an angle that is known to lie within
+    ``trigonometry.LIMIT``: emitted code evaluates them itself instead of calling a library.
+
     Comparisons stand only inside the first operand of a ``SELECT`` or inside ``AND``, ``OR`` and
     ``NOT``; they are never stored in a local.
     """
@@ -43,6 +46,8 @@ class Operation(StrEnum):
     SQRT = "sqrt"
     SIN = "sin"
     COS = "cos"
+    OWN_SIN = "own_sin"
+    OWN_COS = "own_cos"
     TAN = "tan"
     ASIN = "asin"
     ACOS = "acos"

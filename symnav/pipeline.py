@@ -157,13 +157,14 @@ def c_route(spec: Spec, derived: Derived) -> tuple[ir.Function, ...]:
     """Every function as its C is written: through CasADi's graph and the passes that follow."""
     from symnav.lower import casadi
     from symnav.lower.module import through
+    from symnav.lower.passes.angles import own_sinusoids
     from symnav.lower.passes.inline import inline
     from symnav.lower.passes.ranges import drop_idle_checks
     from symnav.lower.passes.reciprocals import share_reciprocals
 
     everything = (*derived.layout, *derived.entries)
     lowered = [casadi.lower(spec, derivation) for derivation in everything]
-    return through(lowered, share_reciprocals, inline, drop_idle_checks)
+    return through(lowered, share_reciprocals, inline, drop_idle_checks, own_sinusoids)
 
 
 def generate(

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 from symnav import ir
 from symnav.emit.c import comments
+from symnav.emit.c.expressions import SINUSOIDS
 from symnav.emit.templates import render
 from symnav.export.entries import LANES, Array, Entry, Runs, entries
 from symnav.export.records import Bundle, Tree
@@ -245,7 +246,8 @@ def _driver(tree: Tree, symbol: str, path: str, listed: Sequence[Entry]) -> str:
 def _options(tree: Tree, symbol: str) -> str:
     """Where Eva keeps cases apart and where it joins them, function by function."""
     check = _defined(tree.files[f"src/{tree.prefix}_check.h"])
-    kernel = _defined(tree.files[f"src/{symbol}_kernel.h"])
+    text = tree.files[f"src/{symbol}_kernel.h"]
+    kernel = _defined(text)
     source = _defined(tree.files[f"src/{symbol}.c"])
     truths = [name for name, result in check.items() if result.endswith("bool")]
     statuses = [name for name, result in source.items() if result.endswith("_status_t")]
@@ -257,7 +259,14 @@ def _options(tree: Tree, symbol: str) -> str:
         f"-eva-slevel-function {','.join(f'{name}:{level}' for name, level in levels.items())} "
         f"-eva-split-return-function {split} "
         f"-eva-slevel-merge-after-loop {','.join(statuses)}"
+        f"{_by_contract(text)}"
     )
+
+
+def _by_contract(kernel: str) -> str:
+    """Functions of which Eva takes the contract: it cannot follow the parts of an angle together."""
+    called = [name for name in SINUSOIDS.values() if f"{name}(" in kernel]
+    return f" -eva-use-spec {','.join(called)}" if called else ""
 
 
 def _defined(text: str) -> dict[str, str]:

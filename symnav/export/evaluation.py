@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from symnav import ir
 from symnav.emit.c import literals
-from symnav.export import rounded, walk
+from symnav.export import rounded, sinusoids, walk
 
 Real = NDArray[Any]
 Condition = NDArray[np.bool_]
@@ -46,6 +46,8 @@ _ARITHMETIC: Mapping[Operation, Callable[..., Any]] = {
     # As the helpers of the check file: the second operand where a comparison with NaN fails.
     Operation.MIN: lambda a, b: np.where(a < b, a, b),
     Operation.MAX: lambda a, b: np.where(a > b, a, b),
+    Operation.OWN_SIN: sinusoids.sine,
+    Operation.OWN_COS: sinusoids.cosine,
 }
 
 

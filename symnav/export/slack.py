@@ -101,7 +101,12 @@ def _allowed(
     return found
 
 
-_ROUNDED = frozenset((Operation.ADD, Operation.SUB, Operation.MUL, Operation.DIV, Operation.SQRT))
+_ROUNDED = frozenset(
+    (
+        *(Operation.ADD, Operation.SUB, Operation.MUL, Operation.DIV, Operation.SQRT),
+        *(Operation.OWN_SIN, Operation.OWN_COS),
+    )
+)
 
 
 def _carried(
@@ -134,6 +139,8 @@ _SLOPES = {
     Operation.SQRT: lambda x, r: 0.5 / r,
     Operation.SIN: lambda x, r: np.cos(x),
     Operation.COS: lambda x, r: np.sin(x),
+    Operation.OWN_SIN: lambda x, r: np.cos(x),
+    Operation.OWN_COS: lambda x, r: np.sin(x),
     Operation.TAN: lambda x, r: 1.0 + r * r,
     Operation.ASIN: lambda x, r: 1.0 / np.sqrt(1.0 - x * x),
     Operation.ACOS: lambda x, r: 1.0 / np.sqrt(1.0 - x * x),

@@ -36,6 +36,7 @@ _ANY: Mapping[ir.Operation, Callable[..., Any]] = {
     Op.OR: lambda a, b: a or b,
     Op.NOT: lambda a: not a,
 }
+_OWN = {Op.OWN_SIN: "sin", Op.OWN_COS: "cos"}
 _FUNCTIONS = (
     Op.SQRT, Op.SIN, Op.COS, Op.TAN, Op.ASIN, Op.ACOS, Op.ATAN, Op.ATAN2, Op.EXP, Op.LOG, Op.FLOOR,
 )  # fmt: skip
@@ -51,6 +52,8 @@ class Arithmetic:
 
     def __call__(self, operation: ir.Operation, operands: Sequence[Any]) -> Any:
         """Apply an operation."""
+        if operation in _OWN:
+            return getattr(self.functions, _OWN[operation])(*operands)
         if operation in _FUNCTIONS:
             name = self.names.get(operation, operation.value)
             return getattr(self.functions, name)(*operands)

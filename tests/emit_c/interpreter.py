@@ -25,6 +25,8 @@ _FUNCTIONS: Mapping[Op, Callable[..., mp.mpf]] = {
     Op.SQRT: mp.sqrt,
     Op.SIN: mp.sin,
     Op.COS: mp.cos,
+    Op.OWN_SIN: mp.sin,
+    Op.OWN_COS: mp.cos,
     Op.TAN: mp.tan,
     Op.ASIN: mp.asin,
     Op.ACOS: mp.acos,

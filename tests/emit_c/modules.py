@@ -242,7 +242,10 @@ def everything(**more: object) -> ir.Function:
     choice = integers("choice", -2.0, 3.0)
     a, b = ir.Load("pair", 0), ir.Load("pair", 1)
     m = [ir.Load("mounting", index) for index in range(9)]
-    unary = (Op.NEG, Op.SQRT, Op.SIN, Op.COS, Op.TAN, Op.ASIN, Op.ACOS, Op.ATAN, Op.EXP, Op.LOG)
+    unary = (
+        *(Op.NEG, Op.SQRT, Op.SIN, Op.COS, Op.TAN, Op.ASIN, Op.ACOS, Op.ATAN, Op.EXP, Op.LOG),
+        *(Op.OWN_SIN, Op.OWN_COS),
+    )
     shared: list[ir.Step] = [
         ir.Check("bounded", call(Op.DIV, a, 5.0), -0.75, 0.75, 0.0, ir.Status.DOMAIN, "asin, acos"),
         ir.Check("positive", add(b, 1.5), 0.25, 6.0, 1.0, ir.Status.INDEX, "sqrt, log"),

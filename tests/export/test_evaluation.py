@@ -125,11 +125,16 @@ def test_slack_is_none_where_no_library_is_called() -> None:
     plain = states(found["gps"], np.float64, 2)
     allowed = slack(found["gps"], DOUBLE, evaluate(found["gps"], DOUBLE, plain))
     assert not any(array.any() for array in allowed.values())
+    # The sine of a half angle is the C's own, the arc tangent is the library's.
     turning = states(found["retract"], np.float64, 2)
     turning["d"][:, 6:9] = (0.5, -0.4, 0.3)
-    outcome = evaluate(found["retract"], DOUBLE, turning)
-    moved = slack(found["retract"], DOUBLE, outcome)["value"]
-    names = [entry.index[0] for entry in found["retract"].outputs[0].entries]
-    attitude = [names.index(k) for k in range(6, 10)]
+    turned = evaluate(found["retract"], DOUBLE, turning)
+    assert not slack(found["retract"], DOUBLE, turned)["value"].any()
+    apart = states(found["local"], np.float64, 2)
+    apart["y"][:, 6:10] = (0.5, 0.5, -0.5, 0.5)
+    outcome = evaluate(found["local"], DOUBLE, apart)
+    moved = slack(found["local"], DOUBLE, outcome)["value"]
+    names = [entry.index[0] for entry in found["local"].outputs[0].entries]
+    attitude = [names.index(k) for k in range(6, 9)]
     assert (moved[:, attitude] > 2.0**-53).all() and (moved[:, attitude] < 64 * 2.0**-52).all()
     assert not np.delete(moved, attitude, axis=1).any()

@@ -51,8 +51,12 @@ def kept(*steps: ir.Step, value: str) -> list[str]:
         (call(Op.COS, a(0)), -1.1, 1.1, False),
         (call(Op.COS, a(0)), -0.9, 1.1, True),
         (call(Op.SIN, a(0)), -0.9, 1.1, True),
-        (ir.Number(0.0), 0.0, 1.0, True),  # a rounding below
-        (ir.Number(0.0), -1.0, 0.0, True),  # and above
+        (ir.Number(0.0), 0.0, 1.0, False),  # rounding changes no sign
+        (ir.Number(0.0), -1.0, 0.0, False),
+        (ir.Number(0.5), 0.5, 1.0, True),  # a rounding below
+        (ir.Number(0.5), 0.0, 0.5, True),  # and above
+        (call(Op.OWN_COS, a(0)), -1.1, 1.1, False),
+        (call(Op.OWN_SIN, a(0)), -0.9, 1.1, True),
         (call(Op.TAN, a(0)), -1e30, 1e30, True),
         (call(Op.MAX, a(0), 2.0), 1.9, 5.1, False),
         (call(Op.MIN, a(0), 2.0), -5.1, 2.1, False),

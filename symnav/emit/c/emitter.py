@@ -18,6 +18,7 @@ from symnav.emit.c.kernel import Kernel
 from symnav.emit.c.mapped import Mapped
 from symnav.emit.c.slots import refuse_slots_beyond
 from symnav.emit.c.target import Target, target_of
+from symnav.emit.c.trigonometry import trigonometry_header
 from symnav.emit.templates import render
 
 # The inline helpers of the check file and what each of them calls, callees in front of callers.
@@ -49,8 +50,9 @@ def emit(module: ir.Module) -> dict[str, str]:
         module: functions of one scalar type.
 
     Returns:
-        Text by path: two headers below ``c/include/<prefix>/``; the helpers, and for every
-        function its kernel and its entry points, below ``c/src/``.
+        Text by path: two headers below ``c/include/<prefix>/``; the helpers, sine and cosine
+        where they are wanted, and for every function its kernel and its entry points, below
+        ``c/src/``.
 
     Raises:
         InputError: when two functions would share a symbol, a constant does not fit the type, or a
@@ -67,6 +69,8 @@ def emit(module: ir.Module) -> dict[str, str]:
         f"{include}/{target.prefix}.h": functions_header(module, target, described),
         f"{src}/{target.prefix}_check.h": _check_header(module, target, kernels),
     }
+    if any(kernel.is_trigonometric for kernel in kernels):
+        files[f"{src}/{target.prefix}_trigonometry.h"] = trigonometry_header(module, target)
     for source in sources:
         symbol, title = source.kernel.symbol, source.kernel.function.title
         files[f"{src}/{symbol}_kernel.h"] = _kernel_header(module, source.kernel)
@@ -122,6 +126,7 @@ def _kernel_header(module: ir.Module, kernel: Kernel) -> str:
         symbol=kernel.symbol,
         structs=kernel.structs,
         routines=kernel.routines(),
+        trigonometric=kernel.is_trigonometric,
     )
 
 

@@ -51,6 +51,12 @@ HELPERS = {
     Operation.NE: "is_equal",
 }
 
+# Inline functions of the trigonometry file.
+SINUSOIDS = {
+    Operation.OWN_SIN: "sine_of",
+    Operation.OWN_COS: "cosine_of",
+}
+
 
 class Level(IntEnum):
     """How tightly a piece of text holds together."""
@@ -140,6 +146,8 @@ def _(expression: ir.Call, scope: Scope) -> Text:
     operands = [_text(operand, scope) for operand in expression.operands]
     if operation in _SYMBOLS:
         return _infix(operation, *operands)
+    if operation in SINUSOIDS:
+        return _invoke(SINUSOIDS[operation], operands)
     if operation in _LIBRARY:
         return _invoke(scope.target.function(_LIBRARY[operation]), operands)
     if operation is Operation.NEG:

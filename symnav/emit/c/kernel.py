@@ -14,7 +14,7 @@ from itertools import groupby
 
 from symnav import ir
 from symnav.emit.c import comments
-from symnav.emit.c.expressions import HELPERS, Level, Scope, Text, format_expression
+from symnav.emit.c.expressions import HELPERS, SINUSOIDS, Level, Scope, Text, format_expression
 from symnav.emit.c.inputs import INPUT_POINTER, ITEM_POINTER, Inputs, inputs_of
 from symnav.emit.c.names import Names
 from symnav.emit.c.pieces import Field, Routine, Struct, head
@@ -153,12 +153,16 @@ class Kernel:
             return [*loaders, self._single()]
         return [*loaders, self._shared(), self.inputs.loader(item=True), self._item()]
 
+    @property
+    def is_trigonometric(self) -> bool:
+        """True when the kernel file calls a sine or a cosine of the tree."""
+        return not self._operations.isdisjoint(SINUSOIDS)
+
     def helpers(self) -> set[str]:
-        """Names of the inline helpers the kernel file calls."""
+        """Names of the inline helpers of the check file the kernel file calls."""
         function = self.function
         steps = [*function.shared, *function.item]
-        used = operations_of([*steps, *self._entries(function.outputs)])
-        names = {HELPERS[operation] for operation in used if operation in HELPERS}
+        names = {HELPERS[operation] for operation in self._operations if operation in HELPERS}
         if function.guarded and any(isinstance(step, ir.Check) for step in steps):
             names.add("is_within")
         return names | self.inputs.helpers()
@@ -168,6 +172,13 @@ class Kernel:
 
     def _array(self, output: ir.Output) -> Field:
         return Field(self.target.real, output.name, str(len(output.entries)))
+
+    @cached_property
+    def _operations(self) -> set[ir.Operation]:
+        """Operations that occur anywhere in the function."""
+        function = self.function
+        steps = [*function.shared, *function.item]
+        return operations_of([*steps, *self._entries(function.outputs)])
 
     @staticmethod
     def _entries(outputs: Iterable[ir.Output]) -> list[ir.Entry]:

@@ -370,6 +370,8 @@ _RULES: dict[Operation, Rule] = {
     Operation.SQRT: _sqrt,
     Operation.SIN: _wave(intervals.sine, intervals.cosine),
     Operation.COS: _wave(intervals.cosine, intervals.sine),
+    Operation.OWN_SIN: _wave(intervals.sine, intervals.cosine),
+    Operation.OWN_COS: _wave(intervals.cosine, intervals.sine),
     Operation.TAN: _tan,
     Operation.ASIN: _monotone(
         lambda ball: ball.asin(),

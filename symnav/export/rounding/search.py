@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symnav import ir
+from symnav.export import sinusoids
 from symnav.export.rounding.sampling import TYPES, moved, samples
 from symnav.export.walk import evaluate, run
 
@@ -64,6 +65,9 @@ class Vectors:
 
     def apply(self, operation: ir.Operation, operands: Sequence[Array]) -> Array:
         """An operation in the type."""
+        if operation in _OWN:
+            own, judge = _OWN[operation]
+            return np.asarray((judge if self.kind is self.wider else own)(*operands))
         if operation in _LIBRARY:
             wide = [operand.astype(self.wider) for operand in operands]
             return np.asarray(_LIBRARY[operation](*wide).astype(self.kind))
@@ -96,6 +100,12 @@ _ARITHMETIC: Mapping[ir.Operation, Callable[..., Any]] = {
     ir.Operation.OR: np.logical_or,
     ir.Operation.NOT: np.logical_not,
 }
+
+_OWN: Mapping[ir.Operation, tuple[Callable[..., Any], Callable[..., Any]]] = {
+    ir.Operation.OWN_SIN: (sinusoids.sine, np.sin),
+    ir.Operation.OWN_COS: (sinusoids.cosine, np.cos),
+}
+"""As the C evaluates them, and what a judge takes for true."""
 
 _LIBRARY: Mapping[ir.Operation, Callable[..., Any]] = {
     ir.Operation.SIN: np.sin,

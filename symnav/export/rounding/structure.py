@@ -24,6 +24,11 @@ from symnav.export.rounding.formats import Format
 from symnav.export.rounding.intervals import ONE, Interval, down_sum, total
 from symnav.export.rounding.polynomials import Polynomial
 
+#: The cosine of the same angle, by sine.
+_COSINES = {Operation.SIN: Operation.COS, Operation.OWN_SIN: Operation.OWN_COS}
+_Cosines = dict[tuple[object, tuple[int, ...]], int]
+"""Where the cosine is that a sine and its operands go with."""
+
 _MOST_TERMS = 24
 _MOST_PRODUCTS = 200
 _MOST_FACTORS = 6
@@ -119,7 +124,12 @@ class Structure:
     _inverses: dict[int, int] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        cosines = {n.operands: n.index for n in self.graph.nodes if n.does(Operation.COS)}
+        cosines: _Cosines = {
+            (operation, n.operands): n.index
+            for n in self.graph.nodes
+            for operation, partner in _COSINES.items()
+            if n.does(partner)
+        }
         for node in self.graph.nodes:
             self._relate(node, cosines)
             self.polynomials.append(self._polynomial(node))
@@ -133,12 +143,14 @@ class Structure:
             self._find_forms(node, quaternions)
         self.complements.extend(self._find_complements(quaternions))
 
-    def _relate(self, node: Node, cosines: dict[tuple[int, ...], int]) -> None:
+    def _relate(self, node: Node, cosines: _Cosines) -> None:
         """What the square of a generator is worth."""
         if node.does(Operation.SQRT):
             self._relations[node.index] = self.polynomials[node.operands[0]]
-        elif node.does(Operation.SIN) and node.operands in cosines:
-            cosine = polynomials.generator(cosines[node.operands])
+            return
+        cosine_at = cosines.get((node.content, node.operands))
+        if cosine_at is not None:
+            cosine = polynomials.generator(cosine_at)
             self._relations[node.index] = polynomials.number(1.0) - cosine * cosine
 
     def _polynomial(self, node: Node) -> Polynomial:

@@ -38,26 +38,60 @@ class Interval:
 ANYTHING = Interval(float("-inf"), float("inf"))
 
 
+class Ranges:
+    """What the inputs of a function and the steps so far can be.
+
+    Inputs are taken to be inside their declared ranges, whether that is checked or assumed.
+    """
+
+    def __init__(self, function: ir.Function) -> None:
+        self._inputs = {argument.name: _hulls(argument) for argument in function.arguments}
+        self._known: dict[str, Interval] = {}
+
+    def note(self, step: ir.Step) -> None:
+        """Take in a step that later ones read."""
+        known = _checked(step) if isinstance(step, ir.Check) else self.of(step.value)
+        self._known[step.target] = known
+
+    def of(self, expression: ir.Expression) -> Interval:
+        """What an expression over inputs and known steps can be."""
+        match expression:
+            case ir.Number(value):
+                return _widened(value, value)
+            case ir.Ref(name):
+                return self._known[name]
+            case ir.Load(argument, int() as index):
+                return self._inputs[argument][index]
+            case ir.Load(argument, _):
+                return _hull(*self._inputs[argument])
+            case ir.Call(Operation.SELECT, (_, chosen, otherwise)):
+                return _hull(self.of(chosen), self.of(otherwise))
+            case ir.Call(Operation.MUL, (a, b)) if a == b:
+                square = _applied(Operation.MUL, [_magnitude(self.of(a))] * 2)
+                return Interval(max(square.lower, 0.0), square.upper)
+            case ir.Call(operation, operands):
+                return _applied(operation, [self.of(operand) for operand in operands])
+
+
 def drop_idle_checks(function: ir.Function) -> ir.Function:
     """Turn every check that cannot fail into a plain statement."""
     if not function.guarded:  # nothing holds its inputs inside their ranges either
         return function
-    known: dict[str, Interval] = {}
-    inputs = {argument.name: _hulls(argument) for argument in function.arguments}
-    bodies = []
-    for body in (function.shared, function.item):
-        steps: list[ir.Step] = []
-        for step in body:
-            value = _interval(step.value, inputs, known)
-            known[step.target] = value
-            if isinstance(step, ir.Check):
-                if value.is_known and step.lower <= value.lower and value.upper <= step.upper:
-                    steps.append(ir.Statement(step.target, step.value, step.comment))
-                    continue
-                known[step.target] = _checked(step)
-            steps.append(step)
-        bodies.append(tuple(steps))
-    return replace(function, shared=bodies[0], item=bodies[1])
+    ranges = Ranges(function)
+    shared = tuple(_without_idle_check(step, ranges) for step in function.shared)
+    item = tuple(_without_idle_check(step, ranges) for step in function.item)
+    return replace(function, shared=shared, item=item)
+
+
+def _without_idle_check(step: ir.Step, ranges: Ranges) -> ir.Step:
+    """The step, or a plain statement of the same value."""
+    value = ranges.of(step.value)
+    if isinstance(step, ir.Check) and (
+        value.is_known and step.lower <= value.lower and value.upper <= step.upper
+    ):
+        step = ir.Statement(step.target, step.value, step.comment)
+    ranges.note(step)
+    return step
 
 
 def _checked(step: ir.Check) -> Interval:
@@ -73,29 +107,6 @@ def _hulls(argument: ir.Argument) -> tuple[Interval, ...]:
         for domain in argument.domains
         for lower, upper in zip(domain.lower, domain.upper, strict=True)
     )
-
-
-def _interval(
-    expression: ir.Expression,
-    inputs: Mapping[str, tuple[Interval, ...]],
-    known: Mapping[str, Interval],
-) -> Interval:
-    match expression:
-        case ir.Number(value):
-            return _widened(value, value)
-        case ir.Ref(name):
-            return known[name]
-        case ir.Load(argument, int() as index):
-            return inputs[argument][index]
-        case ir.Load(argument, _):
-            return _hull(*inputs[argument])
-        case ir.Call(Operation.SELECT, (_, chosen, otherwise)):
-            return _hull(_interval(chosen, inputs, known), _interval(otherwise, inputs, known))
-        case ir.Call(Operation.MUL, (a, b)) if a == b:
-            square = _applied(Operation.MUL, [_magnitude(_interval(a, inputs, known))] * 2)
-            return Interval(max(square.lower, 0.0), square.upper)
-        case ir.Call(operation, operands):
-            return _applied(operation, [_interval(o, inputs, known) for o in operands])
 
 
 def _applied(operation: ir.Operation, operands: list[Interval]) -> Interval:
@@ -141,6 +152,8 @@ _RULES: Mapping[ir.Operation, Callable[..., Interval]] = {
     Operation.ABS: _magnitude,
     Operation.SIN: lambda _: _widened(-1.0, 1.0),
     Operation.COS: lambda _: _widened(-1.0, 1.0),
+    Operation.OWN_SIN: lambda _: _widened(-1.0, 1.0),
+    Operation.OWN_COS: lambda _: _widened(-1.0, 1.0),
     Operation.MIN: lambda a, b: Interval(min(a.lower, b.lower), min(a.upper, b.upper)),
     Operation.MAX: lambda a, b: Interval(max(a.lower, b.lower), max(a.upper, b.upper)),
 }
@@ -151,9 +164,10 @@ def _hull(*intervals: Interval) -> Interval:
 
 
 def _widened(lower: float, upper: float) -> Interval:
-    """Room for a rounding at both ends."""
+    """Room for a rounding at both ends, which changes no sign."""
     low = lower - RELATIVE * abs(lower) - ABSOLUTE
     high = upper + RELATIVE * abs(upper) + ABSOLUTE
+    low, high = (0.0 if lower >= 0.0 > low else low), (0.0 if upper <= 0.0 < high else high)
     if low < -LARGEST or high > LARGEST:
         return ANYTHING
     return Interval(low, high)

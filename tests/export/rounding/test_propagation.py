@@ -38,6 +38,8 @@ UNARY: dict[Op, tuple[Callable[..., float], float, float]] = {
     Op.SQRT: (np.sqrt, 0.0, 100.0),
     Op.SIN: (np.sin, -20.0, 20.0),
     Op.COS: (np.cos, -20.0, 20.0),
+    Op.OWN_SIN: (np.sin, -20.0, 20.0),
+    Op.OWN_COS: (np.cos, -20.0, 20.0),
     Op.TAN: (np.tan, -1.2, 1.2),
     Op.ASIN: (np.arcsin, -0.98, 0.98),
     Op.ACOS: (np.arccos, -0.98, 0.98),

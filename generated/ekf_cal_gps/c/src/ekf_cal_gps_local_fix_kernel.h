@@ -10,6 +10,7 @@
 
 #include "ekf_cal_gps/ekf_cal_gps_types.h"
 #include "ekf_cal_gps_check.h"
+#include "ekf_cal_gps_trigonometry.h"
 
 /** Inputs of local_fix as its kernel reads them, each finite and inside its declared range. */
 typedef struct {
@@ -81,21 +82,21 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t local_fix_load(
 EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t
     local_fix_kernel(const local_fix_input_t *in, local_fix_output_t *out)
 {
-    const ekf_cal_gps_real_t heading_cosine = cos(in->heading);
-    const ekf_cal_gps_real_t heading_sine = sin(in->heading);
+    const ekf_cal_gps_real_t heading_cosine = cosine_of(in->heading);
+    const ekf_cal_gps_real_t heading_sine = sine_of(in->heading);
     const ekf_cal_gps_real_t t44 = 0.5 * in->fix_latitude;
     const ekf_cal_gps_real_t t45 = 0.5 * in->reference_2_latitude;
     const ekf_cal_gps_real_t half_latitude_change = t44 - t45;
     const ekf_cal_gps_real_t half_longitude_change = (0.5 * in->fix_longitude) -
         (0.5 * in->reference_2_longitude);
     const ekf_cal_gps_real_t mean_latitude = t44 + t45;
-    const ekf_cal_gps_real_t s_half = sin(half_latitude_change);
-    const ekf_cal_gps_real_t s_mean = sin(mean_latitude);
-    const ekf_cal_gps_real_t c_mean = cos(mean_latitude);
-    const ekf_cal_gps_real_t sin_reference = sin(in->reference_2_latitude);
-    const ekf_cal_gps_real_t cos_reference = cos(in->reference_2_latitude);
-    const ekf_cal_gps_real_t sin_latitude = sin(in->fix_latitude);
-    const ekf_cal_gps_real_t cos_latitude = cos(in->fix_latitude);
+    const ekf_cal_gps_real_t s_half = sine_of(half_latitude_change);
+    const ekf_cal_gps_real_t s_mean = sine_of(mean_latitude);
+    const ekf_cal_gps_real_t c_mean = cosine_of(mean_latitude);
+    const ekf_cal_gps_real_t sin_reference = sine_of(in->reference_2_latitude);
+    const ekf_cal_gps_real_t cos_reference = cosine_of(in->reference_2_latitude);
+    const ekf_cal_gps_real_t sin_latitude = sine_of(in->fix_latitude);
+    const ekf_cal_gps_real_t cos_latitude = cosine_of(in->fix_latitude);
     const ekf_cal_gps_real_t w_deficit = 0.006694379990141317 * (sin_latitude * sin_latitude);
     const ekf_cal_gps_real_t w_squared = 1.0 - w_deficit;
     const ekf_cal_gps_real_t w = sqrt(w_squared);
@@ -105,13 +106,13 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t
     const ekf_cal_gps_real_t w_reference_squared = 1.0 - w_reference_deficit;
     const ekf_cal_gps_real_t w_reference = sqrt(w_reference_squared);
     const ekf_cal_gps_real_t normal = 6378137.0 * inverse_w;
-    const ekf_cal_gps_real_t c_half = cos(half_latitude_change);
+    const ekf_cal_gps_real_t c_half = cosine_of(half_latitude_change);
     const ekf_cal_gps_real_t t40 = w * w_reference;
     const ekf_cal_gps_real_t t41 = w + w_reference;
     const ekf_cal_gps_real_t w_product = t40 * t41;
     const ekf_cal_gps_real_t height_change = in->fix_height - in->reference_2_height;
-    const ekf_cal_gps_real_t s_half_lon = sin(half_longitude_change);
-    const ekf_cal_gps_real_t c_half_lon = cos(half_longitude_change);
+    const ekf_cal_gps_real_t s_half_lon = sine_of(half_longitude_change);
+    const ekf_cal_gps_real_t c_half_lon = cosine_of(half_longitude_change);
     const ekf_cal_gps_real_t polar_normal = in->fix_height + (0.9933056200098587 * normal);
     const ekf_cal_gps_real_t rise_by_c_mean = 2.0 * polar_normal * s_half;
     const ekf_cal_gps_real_t rise_by_normal_change = 0.9933056200098587 * sin_reference;

@@ -10,6 +10,7 @@
 
 #include "ekf_cal_gps/ekf_cal_gps_types.h"
 #include "ekf_cal_gps_check.h"
+#include "ekf_cal_gps_trigonometry.h"
 
 /** Inputs of retract as its kernel reads them, each finite and inside its declared range. */
 typedef struct {
@@ -170,8 +171,9 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t
         0.020833333333333332);
     const ekf_cal_gps_real_t attitude_exp_near_sinc = 0.5 + t73;
     const ekf_cal_gps_real_t attitude_exp_half = 0.5 * attitude_exp_angle;
-    const ekf_cal_gps_real_t attitude_exp_far_cosine = cos(attitude_exp_half);
-    const ekf_cal_gps_real_t attitude_exp_far_sinc = sin(attitude_exp_half) / attitude_exp_angle;
+    const ekf_cal_gps_real_t attitude_exp_far_cosine = cosine_of(attitude_exp_half);
+    const ekf_cal_gps_real_t attitude_exp_far_sinc = sine_of(attitude_exp_half) /
+        attitude_exp_angle;
     const ekf_cal_gps_real_t attitude_exp_cosine = (attitude_exp_angle_squared < 0.01) ?
         attitude_exp_near_cosine : attitude_exp_far_cosine;
     const ekf_cal_gps_real_t attitude_exp_sinc = (attitude_exp_angle_squared < 0.01) ?

@@ -10,6 +10,7 @@
 
 #include "ekf_cal_online/ekf_cal_online_types.h"
 #include "ekf_cal_online_check.h"
+#include "ekf_cal_online_trigonometry.h"
 
 /** Inputs of gps_2 as its kernel reads them, each finite and inside its declared range. */
 typedef struct {
@@ -113,8 +114,8 @@ EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t
     const ekf_cal_online_real_t attitude_20 = attitude_twice_xz - attitude_twice_wy;
     const ekf_cal_online_real_t attitude_21 = attitude_twice_wx + attitude_twice_yz;
     const ekf_cal_online_real_t attitude_22 = t34 - attitude_twice_yy;
-    const ekf_cal_online_real_t heading_cosine = cos(in->heading);
-    const ekf_cal_online_real_t heading_sine = sin(in->heading);
+    const ekf_cal_online_real_t heading_cosine = cosine_of(in->heading);
+    const ekf_cal_online_real_t heading_sine = sine_of(in->heading);
     const ekf_cal_online_real_t attitude_arm_x = (in->antenna_2_x * attitude_00) +
         (in->antenna_2_y * attitude_01) + (in->antenna_2_z * attitude_02);
     const ekf_cal_online_real_t attitude_arm_y = (in->antenna_2_x * attitude_10) +

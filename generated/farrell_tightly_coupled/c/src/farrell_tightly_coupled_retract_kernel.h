@@ -10,6 +10,7 @@
 
 #include "farrell_tightly_coupled/farrell_tightly_coupled_types.h"
 #include "farrell_tightly_coupled_check.h"
+#include "farrell_tightly_coupled_trigonometry.h"
 
 /** Inputs of retract as its kernel reads them, each finite and inside its declared range. */
 typedef struct {
@@ -155,8 +156,9 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t retract_kernel(
         0.020833333333333332);
     const farrell_tightly_coupled_real_t drho_exp_near_sinc = 0.5 + t70;
     const farrell_tightly_coupled_real_t drho_exp_half = 0.5 * drho_exp_angle;
-    const farrell_tightly_coupled_real_t drho_exp_far_cosine = cos(drho_exp_half);
-    const farrell_tightly_coupled_real_t drho_exp_far_sinc = sin(drho_exp_half) / drho_exp_angle;
+    const farrell_tightly_coupled_real_t drho_exp_far_cosine = cosine_of(drho_exp_half);
+    const farrell_tightly_coupled_real_t drho_exp_far_sinc = sine_of(drho_exp_half) /
+        drho_exp_angle;
     const farrell_tightly_coupled_real_t drho_exp_cosine = (drho_exp_angle_squared < 0.01) ?
         drho_exp_near_cosine : drho_exp_far_cosine;
     const farrell_tightly_coupled_real_t drho_exp_sinc = (drho_exp_angle_squared < 0.01) ?

@@ -10,6 +10,7 @@
 
 #include "navtk_specific_force/navtk_specific_force_types.h"
 #include "navtk_specific_force_check.h"
+#include "navtk_specific_force_trigonometry.h"
 
 /** Inputs of retract as its kernel reads them, each finite and inside its declared range. */
 typedef struct {
@@ -139,8 +140,8 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t
         0.020833333333333332);
     const navtk_specific_force_real_t attitude_exp_near_sinc = 0.5 + t64;
     const navtk_specific_force_real_t attitude_exp_half = 0.5 * attitude_exp_angle;
-    const navtk_specific_force_real_t attitude_exp_far_cosine = cos(attitude_exp_half);
-    const navtk_specific_force_real_t attitude_exp_far_sinc = sin(attitude_exp_half) /
+    const navtk_specific_force_real_t attitude_exp_far_cosine = cosine_of(attitude_exp_half);
+    const navtk_specific_force_real_t attitude_exp_far_sinc = sine_of(attitude_exp_half) /
         attitude_exp_angle;
     const navtk_specific_force_real_t attitude_exp_cosine = (attitude_exp_angle_squared < 0.01) ?
         attitude_exp_near_cosine : attitude_exp_far_cosine;

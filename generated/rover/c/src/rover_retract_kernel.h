@@ -10,6 +10,7 @@
 
 #include "rover/rover_types.h"
 #include "rover_check.h"
+#include "rover_trigonometry.h"
 
 /** Inputs of retract as its kernel reads them, each finite and inside its declared range. */
 typedef struct {
@@ -176,8 +177,8 @@ ROVER_INLINE rover_flag_t retract_kernel(const retract_input_t *in, retract_outp
         0.020833333333333332);
     const rover_real_t attitude_exp_near_sinc = 0.5 + t64;
     const rover_real_t attitude_exp_half = 0.5 * attitude_exp_angle;
-    const rover_real_t attitude_exp_far_cosine = cos(attitude_exp_half);
-    const rover_real_t attitude_exp_far_sinc = sin(attitude_exp_half) / attitude_exp_angle;
+    const rover_real_t attitude_exp_far_cosine = cosine_of(attitude_exp_half);
+    const rover_real_t attitude_exp_far_sinc = sine_of(attitude_exp_half) / attitude_exp_angle;
     const rover_real_t attitude_exp_cosine = (attitude_exp_angle_squared < 0.01) ?
         attitude_exp_near_cosine : attitude_exp_far_cosine;
     const rover_real_t attitude_exp_sinc = (attitude_exp_angle_squared < 0.01) ?
