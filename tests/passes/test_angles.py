@@ -9,7 +9,7 @@ import pytest
 from symnav import ir
 from symnav.lower.passes.angles import own_sinusoids
 from symnav.trigonometry import LIMIT
-from tests.emit_c.building import Op, call, mul
+from tests.emit_c.building import Op, add, call, mul, sub
 from tests.passes.test_passes import a, small, statement
 
 OWN = {Op.SIN: Op.OWN_SIN, Op.COS: Op.OWN_COS}
@@ -27,6 +27,8 @@ OWN = {Op.SIN: Op.OWN_SIN, Op.COS: Op.OWN_COS}
         (call(Op.SQRT, a(0)), False),  # may be no number
         (call(Op.DIV, 1.0, a(0)), False),
         (call(Op.SQRT, mul(a(0), a(0))), True),  # rounding makes no square negative
+        (sub(a(0), LIMIT), False),
+        (add(a(0), LIMIT), False),
         (ir.Number(LIMIT * 1.001), False),
         (ir.Number(1.0), True),
     ],
