@@ -20,7 +20,7 @@ import numpy.typing as npt
 import sympy as sp
 
 from benchmarks.contestants import derivatives
-from benchmarks.contestants.symnav_code import FUNCTION
+from benchmarks.contestants.symnav_code import FUNCTION, specification
 from benchmarks.problems import Problem
 from symnav import pipeline
 
@@ -43,21 +43,25 @@ def measure(problem: Problem, folder: Path, inputs: Array, *, native: bool) -> d
     """
     folder.mkdir(parents=True, exist_ok=True)
     package = built(problem, folder, native=native)
+    bare = built(problem, folder / "bare", native=native, guarded=False)
     records = np.tile(inputs, (EPOCHS // len(inputs), 1))
     ways: dict[str, tuple[Call, int]] = {}
     for name, call in one_epoch(problem, package, inputs[0], folder):
         ways[f"python_{name}"] = (call, 1)
     for name, call in many_epochs(problem, package, records, folder):
         ways[f"batch_{name}"] = (call, EPOCHS)
+    for name, call in compiled_batches(problem, bare, records):
+        ways[f"batch_{name}_unguarded"] = (call, EPOCHS)
     figures = timed(ways)
     if problem.name == "gps":
         figures |= streamed(problem, package, inputs)
     return figures
 
 
-def built(problem: Problem, folder: Path, *, native: bool) -> ModuleType:
-    """The compiled package of a problem, as it is shipped: guarded."""
-    made = pipeline.generate(pipeline.load(problem.spec), folder).package
+def built(problem: Problem, folder: Path, *, native: bool, guarded: bool = True) -> ModuleType:
+    """The compiled package of a problem: as it is shipped, or without its guards."""
+    spec = specification(problem, folder, guarded=guarded)
+    made = pipeline.generate(spec, folder).package
     pipeline.build(made, native=native)
     return pipeline.import_package(made)
 
@@ -109,11 +113,12 @@ def one_epoch(
     function = getattr(package, FUNCTION)
     x, given = arguments(problem, record)
     out = results(problem, ())
-    yield "bound", function.bind(x, out=out, **given)
-    yield "checked", lambda: function(x, **given)
-    yield "out", lambda: function(x, out=out, **given)
     numpy = getattr(package.numpy, FUNCTION)
-    yield "numpy", lambda: numpy(x, **given)
+    yield "bound", function.bind(x, out=out, **given)
+    yield "checked", as_written(function, x, given)
+    yield "out", as_written(function, x, given, out=out)
+    yield "cffi", by_hand(problem, package, x, given)
+    yield "numpy", as_written(numpy, x, given)
     if problem.items <= 8:
         flat = lambdified(problem, "math")
         numbers = [float(element) for element in record]
@@ -124,17 +129,40 @@ def one_epoch(
             yield "numba", lambda: compiled(record, target)
 
 
+def as_written(function: Call, x: Array, given: Mapping[str, Any], **more: Any) -> Call:
+    """``function(x, l=l, ...)`` as a user writes it: unpacking a mapping takes longer."""
+    names = {**given, **more}
+    passed = ", ".join(f"{name}={name}" for name in names)
+    call: Call = eval(f"lambda: function(x, {passed})", {**names, "function": function, "x": x})
+    return call
+
+
+def by_hand(problem: Problem, package: ModuleType, x: Array, given: Mapping[str, Any]) -> Call:
+    """The same C through cffi as one writes it by hand: new arrays, nothing looked at."""
+    library = package.native._library
+    entry, pointer = library.entry(FUNCTION), library.ffi.from_buffer
+    reals, integers, count = library.reals, library.bytes, [problem.items] * bool(problem.items)
+    inputs = [np.asarray(array) for array in given.values()]
+    shapes = [array.shape for array in results(problem, ())]
+
+    def call() -> tuple[Array, Array]:
+        value, jacobian = np.empty(shapes[0]), np.empty(shapes[1])
+        first, *rest = [pointer(reals, array) for array in (x, *inputs, value, jacobian)]
+        states = [pointer(integers, np.empty(n, np.uint8)) for n in count]
+        if entry(first, *count, *rest, *states):
+            raise ValueError("status")
+        return value, jacobian
+
+    return call
+
+
 def many_epochs(
     problem: Problem, package: ModuleType, records: Array, folder: Path
 ) -> Iterator[tuple[str, Call]]:
     """Compiled and NumPy batches; vectorised lambdify, Numba and JAX."""
     function = getattr(package, FUNCTION)
     x, given = arguments(problem, records)
-    out = results(problem, (len(records),))
-    yield "native", lambda: function(x, out=out, **given)
-    bound = function.bind(x, out=out, **given)
-    yield "native_bound", bound
-    yield "native_nz", lambda: function.nonzeros(x, **given)
+    yield from compiled_batches(problem, package, records)
     if not problem.items:
         blocked = {name: function.to_lanes(array) for name, array in given.items()}
         yield "native_blocks", function.bind_blocks(function.to_lanes(x), **blocked)
@@ -145,6 +173,7 @@ def many_epochs(
     columns = [np.ascontiguousarray(column) for column in records.T]
     flat = lambdified(problem, "numpy")
     yield "lambdify", lambda: flat(*columns)
+    yield "lambdify_rows", by_rows(problem, flat, x, given)
     compiled = numba_compiled(problem, folder, many=True)
     if compiled is not None:
         target = np.empty((len(records), problem.rows + len(problem.pattern)))
@@ -152,6 +181,41 @@ def many_epochs(
     jitted = jax_compiled(problem, columns)
     if jitted is not None:
         yield "jax", jitted
+
+
+def compiled_batches(
+    problem: Problem, package: ModuleType, records: Array
+) -> Iterator[tuple[str, Call]]:
+    """Dense and non-zeros, into new arrays, into given ones, and bound."""
+    function = getattr(package, FUNCTION)
+    x, given = arguments(problem, records)
+    out = results(problem, (len(records),))
+    yield "native_new", lambda: function(x, **given)
+    yield "native", lambda: function(x, out=out, **given)
+    yield "native_bound", function.bind(x, out=out, **given)
+    yield "native_nz", lambda: function.nonzeros(x, **given)
+
+
+def by_rows(problem: Problem, flat: Callable[..., Any], x: Array, given: Mapping[str, Any]) -> Call:
+    """``lambdify`` from the arrays the package takes to arrays like those it gives.
+
+    It reads columns of row-major arrays where they lie, and stores values and non-zeros by row.
+    """
+    epochs, values = len(x), problem.rows
+
+    def call() -> tuple[Array, Array]:
+        arrays = [array.reshape(epochs, -1) for array in (x, *given.values())]
+        found = flat(*(column for array in arrays for column in array.T))
+        value = np.empty((epochs, values))
+        nonzeros = np.empty((epochs, len(problem.pattern)))
+        for k, column in enumerate(found):
+            if k < values:
+                value[:, k] = column
+            else:
+                nonzeros[:, k - values] = column
+        return value, nonzeros
+
+    return call
 
 
 def lambdified(problem: Problem, modules: str) -> Callable[..., Any]:

@@ -43,6 +43,7 @@ from symnav.build.compiler import (
     machine_macros,
     native_flags,
 )
+from symnav.build.straight import FOLDER, Straight, find_straight
 from symnav.errors import BuildError
 
 __all__ = [
@@ -82,25 +83,28 @@ class BuildResult:
 
 @dataclass(frozen=True, slots=True)
 class _Extension:
-    """One extension to build: where its sources are and how they are seen by the compiler."""
+    """One extension to build: where its sources are and how they are seen by the compiler.
+
+    ``straight`` is what else it holds: straight ways from NumPy's arrays into the sources.
+    """
 
     key: str
     package: Path
     sources: tuple[Path, ...]
     headers: tuple[Path, ...]
     include: Path
+    straight: Straight | None = None
 
     @property
     def preamble(self) -> str:
-        return "".join(
-            f'#include "{header.relative_to(self.include).as_posix()}"\n' for header in self.headers
-        )
+        names = [header.relative_to(self.include).as_posix() for header in self.headers]
+        names += [header.name for header in self.straight.headers] if self.straight else []
+        return "".join(f'#include "{name}"\n' for name in names)
 
     @property
     def declarations(self) -> str:
-        return "\n".join(
-            declarations(header.read_text(encoding="utf-8")) for header in self.headers
-        )
+        headers = [*self.headers, *(self.straight.headers if self.straight else ())]
+        return "\n".join(declarations(header.read_text(encoding="utf-8")) for header in headers)
 
 
 def build(package: Path, *, native: bool = False, log: Log | None = None) -> BuildResult:
@@ -174,7 +178,8 @@ def _extensions(package: Path) -> Iterator[_Extension]:
     if own:
         include = package / "c" / "include"
         headers = sorted(include.glob("*/*.h"), key=lambda path: (path.parent, -len(path.name)))
-        yield _Extension("native", package, tuple(own), tuple(headers), include)
+        straight = find_straight(package)
+        yield _Extension("native", package, tuple(own), tuple(headers), include, straight)
     casadi = package / "casadi"
     if foreign := sorted(casadi.glob("*.c")):
         yield _Extension(
@@ -185,7 +190,7 @@ def _extensions(package: Path) -> Iterator[_Extension]:
 def _inputs(package: Path) -> list[Path]:
     return sorted(
         path
-        for folder in ("c", "casadi")
+        for folder in ("c", "casadi", FOLDER)
         for path in (package / folder).rglob("*")
         if path.suffix in (".c", ".h")
     )
@@ -195,14 +200,16 @@ def _module_name(
     extension: _Extension, digests: Mapping[str, str], compiler: Compiler, flags: Sequence[str]
 ) -> str:
     """``_<package>_<digest>``, or with ``_casadi`` in between."""
-    folder = extension.include.relative_to(extension.package).parts[0]
+    folders = (extension.include.relative_to(extension.package).parts[0],)
+    folders += (FOLDER,) if extension.straight else ()
     basis = {
-        "sources": {path: text for path, text in digests.items() if path.startswith(folder + "/")},
+        "sources": {path: digests[path] for path in digests if path.partition("/")[0] in folders},
         "flags": [*flags, *LIGHT_FLAGS],
         "compiler": compiler.identity,
         "machine": machine_macros(compiler) if NATIVE_FLAG in flags else "",
         "abi": _SUFFIX,
         "cffi": cffi.__version__,
+        "numpy": extension.straight.numpy if extension.straight else "",
     }
     digest = hashlib.sha256(json.dumps(basis, sort_keys=True).encode()).hexdigest()[:16]
     middle = "_casadi" if extension.key == "casadi" else ""
@@ -256,6 +263,11 @@ def _compile(
     position = ["-fPIC", "-fvisibility=hidden"]
     pythons = [f"-I{python}", f"-I{sysconfig.get_path('platinclude')}"]
     jobs = [([*compiler.command, "-O1", *position, include, *pythons], wrapper_source)]
+    if extension.straight:
+        places = [f"-I{place}" for place in extension.straight.include]
+        lightly = [*compiler.command, "-O2", *position, include, *places, *pythons]
+        jobs[0][0].extend(places[:1])
+        jobs += [(lightly, source) for source in extension.straight.sources]
     for source in sorted(extension.sources, key=lambda path: -path.stat().st_size):
         jobs.append(([*compiler.command, *flags_of(source, flags), *position, include], source))
     objects = _run_jobs(jobs, folder, extension.package)
@@ -296,11 +308,12 @@ def compile_with_setuptools(
     """Compile an extension through setuptools, which knows where Visual Studio keeps itself."""
     from setuptools.errors import CCompilerError, PlatformError
 
+    straight = extension.straight
     wrapper.set_source(
         name,
         preamble,
-        sources=[str(path) for path in extension.sources],
-        include_dirs=[str(extension.include)],
+        sources=[str(p) for p in (*extension.sources, *(straight.sources if straight else ()))],
+        include_dirs=[str(extension.include), *(map(str, straight.include) if straight else ())],
         extra_compile_args=list(flags),
     )
     try:

@@ -9,6 +9,7 @@ from symnav.emit.python.compiled import casadi, native
 from symnav.emit.python.interface import interface
 from symnav.emit.python.names import result_names
 from symnav.emit.python.shapes import entries
+from symnav.emit.python.straight import sources
 from symnav.emit.python.stubs import backend_stub, stub
 from symnav.emit.templates import render
 
@@ -28,6 +29,7 @@ _STATIC = (
     "_places.py",
     "_runtime.py",
     "_state.py",
+    "_straight.py",
     "_tables.py",
 )
 
@@ -40,15 +42,18 @@ def emit(module: ir.Module, single: ir.Module | None = None) -> dict[str, str]:
         single: those that exist in single precision as well, when any do.
 
     Returns:
-        Every Python file but ``numpy.py``, and the stubs of all of them.
+        Every Python file but ``numpy.py``, the stubs of all of them, and the C through which
+        Python's arrays reach the exported C.
     """
     files = {name: render(f"package/{name}") for name in _STATIC}
     files["native.py"] = native(module)
     files["native.pyi"] = backend_stub(module.functions, threaded=True)
+    files |= sources(module)
     files["casadi.py"] = casadi(module)
     files["casadi.pyi"] = backend_stub(entries(module))
     if single is not None:
         files["native_f32.py"] = native(single)
+        files |= sources(single)
         files["native_f32.pyi"] = stub(single, (), threaded=True)
     backends = ["casadi", "native", *(["native_f32"] if single is not None else []), "numpy"]
     files["__init__.py"] = _package(module, backends)
