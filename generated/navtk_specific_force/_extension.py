@@ -10,6 +10,7 @@ from __future__ import annotations
 import hashlib
 import json
 import operator
+import sys
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from importlib.machinery import EXTENSION_SUFFIXES, ExtensionFileLoader
@@ -25,6 +26,7 @@ from ._runtime import Array
 
 _BUILD = "_build.json"
 _LEAST = 512  # epochs that are worth a thread
+UNFIT = -1  # what straight ways answer where only the general way leads on
 
 
 def load_extension(package: Path, key: str) -> ModuleType:
@@ -71,7 +73,7 @@ def _digests(package: Path) -> dict[str, str]:
     """Digests of the C as it is now."""
     return {
         path.relative_to(package).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest()
-        for folder in ("c", "casadi")
+        for folder in ("c", "casadi", "straight")
         for path in (package / folder).rglob("*")
         if path.suffix in (".c", ".h")
     }
@@ -105,12 +107,20 @@ class Library:
         self.bytes = self.ffi.typeof("uint8_t[]")
         self._kinds = {"f": self.reals, "i": self.integers, "u": self.bytes}
         self._buffer = self.ffi.from_buffer
+        self._has_straight = _reads_arrays(self.lib, prefix)
         self._pool: ThreadPoolExecutor | None = None
-        self._threads = 1
+        self.threads = 1
 
     def entry(self, name: str) -> Callable[..., int]:
         """An entry point by its name without the prefix."""
         found: Callable[..., int] = getattr(self.lib, f"{self.prefix}_{name}")
+        return found
+
+    def straight(self, name: str) -> Callable[..., int]:
+        """The straight way to an entry point; one that declines everything where there is none."""
+        found: Callable[..., int] = _decline
+        if self._has_straight:
+            found = getattr(self.lib, f"straight_{self.prefix}_{name}", _decline)
         return found
 
     def pointer(self, array: Array) -> Any:
@@ -125,8 +135,8 @@ class Library:
         number = operator.index(count)
         if number < 1:
             raise ValueError(f"set_threads: count = {number}, expected 1 or more")
-        if number != self._threads:
-            pool, self._threads = self._pool, number
+        if number != self.threads:
+            pool, self.threads = self._pool, number
             self._pool = ThreadPoolExecutor(number) if number > 1 else None
             if pool is not None:
                 pool.shutdown(wait=False)
@@ -138,17 +148,27 @@ class Library:
             parts: what is shared out.
             epochs: how many epochs a part has.
         """
-        if self._threads == 1:
+        if self.threads == 1:
             return [(0, parts)]
-        count = min(self._threads, max(parts * epochs // _LEAST, 1))
+        count = min(self.threads, max(parts * epochs // _LEAST, 1))
         ends = [parts * share // count for share in range(count + 1)]
         return [(first, last - first) for first, last in pairwise(ends)]
 
-    def run(self, calls: Sequence[Callable[[], Any]]) -> None:
+    def run(self, calls: Sequence[Callable[[], Any]]) -> list[Any]:
         """Runs calls side by side; the C they call releases the interpreter."""
         if len(calls) == 1 or self._pool is None:
-            for call in calls:
-                call()
-            return
-        for future in [self._pool.submit(call) for call in calls]:
-            future.result()
+            return [call() for call in calls]
+        return [future.result() for future in [self._pool.submit(call) for call in calls]]
+
+
+def _reads_arrays(lib: Any, prefix: str) -> bool:
+    """True when C can read the arrays of this very NumPy at the addresses this Python gives."""
+    layout = getattr(lib, f"straight_{prefix}_layout", None)
+    if layout is None or sys.implementation.name != "cpython":
+        return False
+    return bool(layout() == int(np.__version__.partition(".")[0]))
+
+
+def _decline(*_given: Any) -> int:
+    """What straight ways answer to arrays they cannot read."""
+    return UNFIT

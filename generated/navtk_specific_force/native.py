@@ -11,57 +11,31 @@ from typing import Any
 
 import numpy as _np
 
-from . import _calls, _compiled, _extension, _interface, _runtime
+from . import _calls, _compiled, _extension, _interface, _runtime, _straight
 
 _module = _extension.load_extension(Path(__file__).parent, "native")
 _library = _extension.Library(_module, "navtk_specific_force", "float64")
 set_threads = _library.set_threads
-_new = _library.ffi.new
-_pointer = _library.ffi.from_buffer
-_reals, _integers, _bytes = _library.reals, _library.integers, _library.bytes
-_apart = _compiled.apart
-_empty, _tuple = _np.empty, tuple.__new__
-_real, _integer, _byte = _library.real, _np.dtype(_np.int32), _np.dtype(_np.uint8)
+_outputs = _straight.outputs
+_empty, _tuple, _id, _array = _np.empty, tuple.__new__, id, _np.ndarray
+_real, _byte = _library.real, _np.dtype(_np.uint8)
 _OK = _runtime.Status.OK
-_UNFIT = (AttributeError, BufferError, OverflowError, TypeError, ValueError)
+_UNFIT = (AttributeError, LookupError, TypeError, ValueError)
 
 
 _retract_function = _compiled.CompiledFunction(_library, _interface.RETRACT)
-_retract_entry = _library.entry("retract")
+_retract_straight = _library.straight("retract")
 
 
 def _retract_call(x: Any = None, /, *, d: Any = None, out: Any = None, **_other: Any) -> Any:
     try:
-        if (
-            not _other
-            and x.dtype is _real
-            and x.ndim == 1
-            and len(x) == 16
-            and d.dtype is _real
-            and d.ndim == 1
-            and len(d) == 15
-        ):
+        if not _other and x.ndim == 1:
             if out is None:
                 value = _empty(16)
             else:
-                written = out[:1]
-                (value,) = written
-                if not (
-                    len(out) in (1, 2)
-                    and (x.base is None or _apart(x, written))
-                    and (d.base is None or _apart(d, written))
-                    and value.dtype is _real
-                    and value.ndim == 1
-                    and len(value) == 16
-                    and (flags := value.flags).carray
-                    and flags.owndata
-                    and value is not x
-                ):
-                    written = _retract_function.given(out, (x, d))
-                    (value,) = written
-            if not _retract_entry(
-                _pointer(_reals, x), _pointer(_reals, d), _pointer(_reals, value)
-            ):
+                (value,) = _outputs(out, 1, 2)
+            given = (_array, x, d, value)
+            if not _retract_straight(_id(given)):
                 return _tuple(_interface.RetractResult, (value, _OK))
     except _UNFIT:
         pass
@@ -72,38 +46,18 @@ retract = _calls.publish(_retract_function, __name__, _retract_call)
 
 
 _local_function = _compiled.CompiledFunction(_library, _interface.LOCAL)
-_local_entry = _library.entry("local")
+_local_straight = _library.straight("local")
 
 
 def _local_call(x: Any = None, /, *, y: Any = None, out: Any = None, **_other: Any) -> Any:
     try:
-        if (
-            not _other
-            and x.dtype is _real
-            and x.ndim == 1
-            and len(x) == 16
-            and y.dtype is _real
-            and y.ndim == 1
-            and len(y) == 16
-        ):
+        if not _other and x.ndim == 1:
             if out is None:
                 value = _empty(15)
             else:
-                written = out[:1]
-                (value,) = written
-                if not (
-                    len(out) in (1, 2)
-                    and (x.base is None or _apart(x, written))
-                    and (y.base is None or _apart(y, written))
-                    and value.dtype is _real
-                    and value.ndim == 1
-                    and len(value) == 15
-                    and (flags := value.flags).carray
-                    and flags.owndata
-                ):
-                    written = _local_function.given(out, (x, y))
-                    (value,) = written
-            if not _local_entry(_pointer(_reals, x), _pointer(_reals, y), _pointer(_reals, value)):
+                (value,) = _outputs(out, 1, 2)
+            given = (_array, x, y, value)
+            if not _local_straight(_id(given)):
                 return _tuple(_interface.LocalResult, (value, _OK))
     except _UNFIT:
         pass
@@ -114,7 +68,7 @@ local = _calls.publish(_local_function, __name__, _local_call)
 
 
 _calc_force_function = _compiled.CompiledFunction(_library, _interface.CALC_FORCE)
-_calc_force_entry = _library.entry("calc_force")
+_calc_force_straight = _library.straight("calc_force")
 
 
 def _calc_force_call(
@@ -127,19 +81,7 @@ def _calc_force_call(
     **_other: Any,
 ) -> Any:
     try:
-        if (
-            not _other
-            and dcm.dtype is _real
-            and dcm.ndim == 1
-            and len(dcm) == 9
-            and delta_theta.dtype is _real
-            and delta_theta.ndim == 1
-            and len(delta_theta) == 3
-            and delta_velocity.dtype is _real
-            and delta_velocity.ndim == 1
-            and len(delta_velocity) == 3
-            and type(dt) is float
-        ):
+        if not _other and dcm.ndim == 1:
             if out is None:
                 value = _empty(3)
                 jacobian_dcm = _empty((3, 3))
@@ -147,61 +89,14 @@ def _calc_force_call(
                 jacobian_delta_velocity = _empty((3, 3))
                 jacobian_dt = _empty((3, 1))
             else:
-                written = out[:5]
-                (
-                    value, jacobian_dcm, jacobian_delta_theta, jacobian_delta_velocity, jacobian_dt
-                ) = written
-                if not (
-                    len(out) in (5, 6)
-                    and (dcm.base is None or _apart(dcm, written))
-                    and (delta_theta.base is None or _apart(delta_theta, written))
-                    and (delta_velocity.base is None or _apart(delta_velocity, written))
-                    and value.dtype is _real
-                    and value.ndim == 1
-                    and len(value) == 3
-                    and (flags := value.flags).carray
-                    and flags.owndata
-                    and value is not delta_theta
-                    and value is not delta_velocity
-                    and jacobian_dcm.dtype is _real
-                    and jacobian_dcm.shape == (3, 3)
-                    and (flags := jacobian_dcm.flags).carray
-                    and flags.owndata
-                    and jacobian_delta_theta.dtype is _real
-                    and jacobian_delta_theta.shape == (3, 3)
-                    and (flags := jacobian_delta_theta.flags).carray
-                    and flags.owndata
-                    and jacobian_delta_theta is not jacobian_dcm
-                    and jacobian_delta_velocity.dtype is _real
-                    and jacobian_delta_velocity.shape == (3, 3)
-                    and (flags := jacobian_delta_velocity.flags).carray
-                    and flags.owndata
-                    and jacobian_delta_velocity is not jacobian_dcm
-                    and jacobian_delta_velocity is not jacobian_delta_theta
-                    and jacobian_dt.dtype is _real
-                    and jacobian_dt.shape == (3, 1)
-                    and (flags := jacobian_dt.flags).carray
-                    and flags.owndata
-                ):
-                    written = _calc_force_function.given(out, (dcm, delta_theta, delta_velocity))
-                    (
-                        value,
-                        jacobian_dcm,
-                        jacobian_delta_theta,
-                        jacobian_delta_velocity,
-                        jacobian_dt,
-                    ) = written
-            if not _calc_force_entry(
-                _pointer(_reals, dcm),
-                _pointer(_reals, delta_theta),
-                _pointer(_reals, delta_velocity),
-                _new(_reals, (dt,)),
-                _pointer(_reals, value),
-                _pointer(_reals, jacobian_dcm),
-                _pointer(_reals, jacobian_delta_theta),
-                _pointer(_reals, jacobian_delta_velocity),
-                _pointer(_reals, jacobian_dt),
-            ):
+                (value, jacobian_dcm, jacobian_delta_theta, jacobian_delta_velocity, jacobian_dt) = _outputs(
+                    out, 5, 6
+                )
+            given = (
+                _array, dcm, delta_theta, delta_velocity, dt, value, jacobian_dcm,
+                jacobian_delta_theta, jacobian_delta_velocity, jacobian_dt,
+            )
+            if not _calc_force_straight(_id(given)):
                 return _tuple(
                     _interface.CalcForceResult,
                     (
@@ -227,7 +122,7 @@ calc_force = _calls.publish(_calc_force_function, __name__, _calc_force_call)
 
 
 _force_function = _compiled.CompiledFunction(_library, _interface.FORCE)
-_force_entry = _library.entry("force")
+_force_straight = _library.straight("force")
 
 
 def _force_call(
@@ -241,19 +136,7 @@ def _force_call(
     **_other: Any,
 ) -> Any:
     try:
-        if (
-            not _other
-            and x.dtype is _real
-            and x.ndim == 1
-            and len(x) == 16
-            and delta_theta.dtype is _real
-            and delta_theta.ndim == 1
-            and len(delta_theta) == 3
-            and delta_velocity.dtype is _real
-            and delta_velocity.ndim == 1
-            and len(delta_velocity) == 3
-            and type(dt) is float
-        ):
+        if not _other and x.ndim == 1:
             if out is None:
                 value = _empty(3)
                 jacobian = _empty((3, 15))
@@ -261,55 +144,14 @@ def _force_call(
                 jacobian_delta_velocity = _empty((3, 3))
                 jacobian_dt = _empty((3, 1))
             else:
-                written = out[:5]
-                (
-                    value, jacobian, jacobian_delta_theta, jacobian_delta_velocity, jacobian_dt
-                ) = written
-                if not (
-                    len(out) in (5, 6)
-                    and (x.base is None or _apart(x, written))
-                    and (delta_theta.base is None or _apart(delta_theta, written))
-                    and (delta_velocity.base is None or _apart(delta_velocity, written))
-                    and value.dtype is _real
-                    and value.ndim == 1
-                    and len(value) == 3
-                    and (flags := value.flags).carray
-                    and flags.owndata
-                    and value is not delta_theta
-                    and value is not delta_velocity
-                    and jacobian.dtype is _real
-                    and jacobian.shape == (3, 15)
-                    and (flags := jacobian.flags).carray
-                    and flags.owndata
-                    and jacobian_delta_theta.dtype is _real
-                    and jacobian_delta_theta.shape == (3, 3)
-                    and (flags := jacobian_delta_theta.flags).carray
-                    and flags.owndata
-                    and jacobian_delta_velocity.dtype is _real
-                    and jacobian_delta_velocity.shape == (3, 3)
-                    and (flags := jacobian_delta_velocity.flags).carray
-                    and flags.owndata
-                    and jacobian_delta_velocity is not jacobian_delta_theta
-                    and jacobian_dt.dtype is _real
-                    and jacobian_dt.shape == (3, 1)
-                    and (flags := jacobian_dt.flags).carray
-                    and flags.owndata
-                ):
-                    written = _force_function.given(out, (x, delta_theta, delta_velocity))
-                    (
-                        value, jacobian, jacobian_delta_theta, jacobian_delta_velocity, jacobian_dt
-                    ) = written
-            if not _force_entry(
-                _pointer(_reals, x),
-                _pointer(_reals, delta_theta),
-                _pointer(_reals, delta_velocity),
-                _new(_reals, (dt,)),
-                _pointer(_reals, value),
-                _pointer(_reals, jacobian),
-                _pointer(_reals, jacobian_delta_theta),
-                _pointer(_reals, jacobian_delta_velocity),
-                _pointer(_reals, jacobian_dt),
-            ):
+                (value, jacobian, jacobian_delta_theta, jacobian_delta_velocity, jacobian_dt) = _outputs(
+                    out, 5, 6
+                )
+            given = (
+                _array, x, delta_theta, delta_velocity, dt, value, jacobian, jacobian_delta_theta,
+                jacobian_delta_velocity, jacobian_dt,
+            )
+            if not _force_straight(_id(given)):
                 return _tuple(
                     _interface.ForceResult,
                     (

@@ -22,8 +22,7 @@ from ._runtime import (
     output_shape,
     outputs_of,
 )
-
-_INTEGER = np.dtype(np.int32)
+from ._straight import Straight, void
 
 
 class BatchFunction(Function):
@@ -38,6 +37,9 @@ class BatchFunction(Function):
         self._batch = library.entry(f"{signature.name}_batch")
         sparse = any(output.places for output in signature.jacobians)
         self._batch_nonzeros = library.entry(f"{signature.name}_batch_nz") if sparse else None
+        self._rows = Straight(library, signature, Part.ALL)
+        whole = sparse and all(output.places for output in signature.jacobians)
+        self._sparse_rows = Straight(library, signature, Part.NONZEROS) if whole else None
         if not signature.mapped:
             self._blocks = library.entry(f"{signature.name}_blocks")
 
@@ -47,67 +49,27 @@ class BatchFunction(Function):
         return [as_numbers(argument, value, self.real, False) for argument, value in pairs]
 
     def call(self, state: Sequence[Any], inputs: Mapping[str, Any], out: Any = None) -> Any:
-        """All outputs; rows of contiguous arrays go to the loop over epochs with few detours."""
-        try:
-            read, extent = self._rows(state, inputs)
-            arrays = [array for array, _ in read]
-            if out is None:
-                outputs = [
-                    np.empty(output_shape(output, Part.ALL, extent), dtype=self.real)
-                    for output in self.signature.outputs
-                ]
-            else:
-                outputs = self.given(out, arrays, extent.items, extent.batch)
-        except (AttributeError, IndexError, KeyError, TypeError, ValueError):
+        """All outputs; arrays with one leading axis go straight to the loop over epochs."""
+        found = self._rows.evaluate(state, inputs, out)
+        if found is None:
             return super().call(state, inputs, out)
-        status, items = self._statuses(extent)
-        self._library.run(self._shared(self._batch, read, extent, [*outputs, status, *items]))
-        evaluation = Evaluation(outputs, status, items[0] if items else None)
-        return self.result(self._voided(evaluation, out), arrays)
+        arrays, statuses = found
+        return tuple.__new__(self.signature.result, (*arrays, *statuses))
 
     def select(
         self, part: Part, state: Sequence[Any], inputs: Mapping[str, Any], out: Any = None
     ) -> Any:
-        """The same for the non-zeros alone."""
-        if part is not Part.NONZEROS or out is not None:
+        """The same for the non-zeros alone; those of items lie in columns."""
+        found = None
+        if part is Part.NONZEROS and out is None and self._sparse_rows is not None:
+            found = self._sparse_rows.evaluate(state, inputs, None)
+        if found is None:
             return super().select(part, state, inputs, out)
-        try:
-            read, extent = self._rows(state, inputs)
-        except (AttributeError, IndexError, KeyError, TypeError, ValueError):
-            return super().select(part, state, inputs, out)
-        outputs = tuple(self._nonzeros(read, extent, None).outputs)
-        return outputs[0] if len(outputs) == 1 else outputs
-
-    def given(
-        self,
-        out: Any,
-        arrays: Sequence[Array],
-        items: int | None = None,
-        batch: tuple[int, ...] = (),
-    ) -> list[Array]:
-        """The arrays given as ``out``, where they can be written as they are.
-
-        Arrays that own their memory cannot overlap; others are looked at.
-
-        Raises:
-            ValueError: when they cannot; the general way says why.
-        """
-        wanted, extent = self.signature.outputs, Extent(batch, items)
-        statuses = 1 if items is None else 2  # a result that is used again brings them along
-        listed = [out] if type(out) is np.ndarray else list(out)
-        if type(out) is dict or len(listed) not in (len(wanted), len(wanted) + statuses):
-            raise ValueError("out")
-        del listed[len(wanted) :]
-        for place, (array, output) in enumerate(zip(listed, wanted, strict=True)):
-            fits = type(array) is np.ndarray and array.dtype == self.real and array.flags.carray
-            if not fits or array.shape != output_shape(output, Part.ALL, extent):
-                raise ValueError("out")
-            own = array.flags.owndata
-            for other in (*arrays, *listed[:place]):
-                apart = own and other.base is None and other is not array
-                if not apart and np.may_share_memory(array, other):
-                    raise ValueError("out")
-        return listed
+        arrays = [a for a, o in zip(found[0], self.signature.outputs, strict=True) if o.jacobian]
+        if self.signature.mapped:
+            pairs = zip(arrays, self.signature.jacobians, strict=True)
+            arrays = [np.swapaxes(a, -1, -2) if o.item else a for a, o in pairs]
+        return arrays[0] if len(arrays) == 1 else tuple(arrays)
 
     def _bound_batch(
         self, arrays: Sequence[Array], extent: Extent, out: list[Array]
@@ -128,49 +90,6 @@ class BatchFunction(Function):
             return done
 
         return call
-
-    def _rows(
-        self, state: Sequence[Any], inputs: Mapping[str, Any]
-    ) -> tuple[list[tuple[Array, int]], Extent]:
-        """Arguments that the loop over epochs reads where they lie, with the step of each.
-
-        Raises:
-            LookupError, TypeError, ValueError: for anything but contiguous NumPy arrays of the
-                compiled type with one leading axis or none.
-        """
-        signature = self.signature
-        given = dict(inputs, x=state[0]) if state else inputs
-        if len(given) != len(signature.arguments) or len(state) > 1:
-            raise TypeError("arguments")
-        epochs = items = None
-        read = []
-        for argument in signature.arguments:
-            array = given[argument.name]
-            kind = _INTEGER if argument.integer else self.real
-            if type(array) is not np.ndarray or array.dtype != kind:
-                raise TypeError(argument.name)
-            shape = array.shape
-            if len(shape) == argument.rank + 1:
-                if epochs is None:
-                    epochs = shape[0]
-                elif epochs != shape[0]:
-                    raise ValueError(argument.name)
-                step, shape = argument.size, shape[1:]
-            elif len(shape) == argument.rank:
-                step = 0
-            else:
-                raise ValueError(argument.name)
-            if argument.item:
-                items = shape[0] if items is None else items
-                step *= items
-                if items != shape[0]:
-                    raise ValueError(argument.name)
-            if not (argument.scalar or shape[-1] == argument.size) or not array.flags.c_contiguous:
-                raise ValueError(argument.name)
-            read.append((array, step))
-        if epochs is None or (items is not None and items > self._longest):
-            raise ValueError("epochs")
-        return read, Extent((epochs,), items)
 
     def evaluate_blocks(
         self,
@@ -221,7 +140,7 @@ class BatchFunction(Function):
         self._library.run(self._shared(self._batch, read, extent, memory))
         results = [whole[output.name] for output in wanted]
         evaluation = Evaluation(out or results, status, items[0] if items else None)
-        return self._voided(evaluation, out)
+        return voided(evaluation, out)
 
     def _nonzeros(
         self, read: Sequence[tuple[Array, int]], extent: Extent, out: list[Array] | None
@@ -252,7 +171,7 @@ class BatchFunction(Function):
                 where = passed.reshape(passed.shape + (1,) * (result.ndim - passed.ndim))
                 np.copyto(target, result, where=where)
         evaluation = Evaluation(out or results, status, items[0] if items else None)
-        return self._voided(evaluation, out)
+        return voided(evaluation, out)
 
     def _shared(
         self,
@@ -292,20 +211,16 @@ class BatchFunction(Function):
         items = [np.zeros((*extent.batch, number), dtype=np.uint8) for number in numbers(extent)]
         return np.empty(extent.batch, dtype=np.uint8), items
 
-    def _voided(self, evaluation: Evaluation, out: list[Array] | None) -> Evaluation:
-        """NaN in new arrays where an epoch failed; arrays that were given stay as they are."""
-        status = evaluation.status
-        if out is not None or not status.any():
-            return evaluation
-        failed = (status != Status.OK) & (status != Status.PARTIAL)
-        if failed.any():
-            for array in evaluation.outputs:
-                array[failed] = np.nan
-        return evaluation
-
     def _ranked(self, arrays: Sequence[Array]) -> list[tuple[Array, int]]:
         ranks = (argument.rank for argument in self.signature.arguments)
         return list(zip(arrays, ranks, strict=True))
+
+
+def voided(evaluation: Evaluation, out: list[Array] | None) -> Evaluation:
+    """NaN in new arrays where an epoch failed; arrays that were given stay as they are."""
+    if out is None and evaluation.status.any():
+        void(evaluation.outputs, evaluation.status)
+    return evaluation
 
 
 def _is_stored(output: Output) -> bool:

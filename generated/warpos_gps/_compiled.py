@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ._batches import BatchFunction, numbers, spread
+from ._batches import BatchFunction, numbers, spread, voided
 from ._calls import Evaluation
 from ._extension import Library
 from ._runtime import (
@@ -63,7 +63,7 @@ class CompiledFunction(BatchFunction):
             rows = [array[(*epoch, ...)] for array in outputs]
             done = self._once(Part.ALL, own, Extent((), items), rows, reference)
             status[epoch], item_status[epoch] = done.status, done.item_status
-        return self._voided(Evaluation(outputs, status, item_status), out)
+        return voided(Evaluation(outputs, status, item_status), out)
 
     def bound(self, arrays: Sequence[Array], extent: Extent, out: list[Array]) -> Callable[[], Any]:
         """Pointers made once; what is left of a call is the C and a look at its status."""
@@ -155,15 +155,3 @@ class CompiledFunction(BatchFunction):
     def _spread(self, arrays: Sequence[Array], extent: Extent) -> list[Array]:
         """Arguments with all their leading axes."""
         return [spread(array, rank, extent) for array, rank in self._ranked(arrays)]
-
-
-def apart(view: Array, written: Sequence[Array]) -> bool:
-    """True when an array is a view of none of those written to, which own their memory.
-
-    NumPy makes the owner the base of every view; what has another base is not looked into.
-    """
-    base = view.base
-    for target in written:
-        if base is target:
-            return False
-    return base.base is None

@@ -177,6 +177,9 @@ static bool take(
 
     extent->epochs = -1;
     extent->items = -1;
+    if (PyTuple_GET_SIZE(tuple) != (count + 1)) {
+        return false;
+    }
     for (int place = 0; place < count; ++place) {
         PyObject *const object = PyTuple_GET_ITEM(tuple, place + 1);
         const bool fits = (Py_TYPE(object) == type)

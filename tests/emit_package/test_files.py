@@ -29,7 +29,9 @@ def test_tree() -> None:
     """Every back end has its module and its stub."""
     assert {path for path in TEXT if not path.startswith("_")} == {
         "casadi.py", "casadi.pyi", "native.py", "native.pyi", "native_f32.py", "native_f32.pyi",
-        "numpy.py", "numpy.pyi", "py.typed",
+        "numpy.py", "numpy.pyi", "py.typed", "straight/straight.h", "straight/rover_straight.c",
+        "straight/rover_straight.h", "straight/rover_f32_straight.c",
+        "straight/rover_f32_straight.h",
     }  # fmt: skip
     assert "native_f32.py" not in packages.text_of(MODULE)
 
@@ -89,7 +91,15 @@ def test_same_bytes_whatever_the_hash_seed() -> None:
 
 @pytest.mark.parametrize(
     "path",
-    ["__init__.py", "_interface.py", "__init__.pyi", "numpy.py", "native.py", "casadi.py"],
+    [
+        "__init__.py",
+        "_interface.py",
+        "__init__.pyi",
+        "numpy.py",
+        "native.py",
+        "casadi.py",
+        "straight/rover_straight.c",
+    ],
 )
 def test_golden(path: str, golden: Golden) -> None:
     """The text of a small package, for review."""
