@@ -190,15 +190,17 @@ class Graph:
                 raise AssertionError(f"{symbol} moves by a rule; build the vertex by that rule")
             name, index = self._owner[symbol]
             used.setdefault(name, {})[index] = symbol
+        # SymPy takes its time to say that a derivative is zero.
+        read = [expression.free_symbols for expression in expressions]
         return {
             name: tuple(
                 tuple(
                     sp.diff(expression, columns[k]).xreplace(self._multiples)
-                    if k in columns
+                    if columns.get(k) in symbols
                     else ZERO
                     for k in range(self.vertices[name].size)
                 )
-                for expression in expressions
+                for expression, symbols in zip(expressions, read, strict=True)
             )
             for name, columns in used.items()
         }

@@ -44,6 +44,7 @@ from symnav.build.compiler import (
     native_flags,
 )
 from symnav.build.straight import FOLDER, Straight, find_straight
+from symnav.emit.caching import cache_directory
 from symnav.errors import BuildError
 
 __all__ = [
@@ -164,12 +165,6 @@ def declarations(header: str) -> str:
     text = re.sub(r"\bstatic const (\w+ \w+\[\w+\]) = \{[^}]*\};", r"extern const \1;", text)
     lines = (line.rstrip() for line in text.splitlines())
     return "\n".join(line for line in lines if line.strip()) + "\n"
-
-
-def cache_directory() -> Path:
-    """Where extensions are kept across packages: ``SYMNAV_CACHE_DIR`` or ``~/.cache/symnav``."""
-    chosen = os.environ.get("SYMNAV_CACHE_DIR")
-    return Path(chosen) if chosen else Path.home() / ".cache" / "symnav"
 
 
 def _extensions(package: Path) -> Iterator[_Extension]:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from symnav.cli.console import Verb, progress, write_json
+from symnav.cli.console import Verb, progress, without_collector, write_json
 from symnav.errors import HandEditedError, StaleError
 
 _EXIT_CODES = {"fresh": 0, "stale": StaleError.exit_code, "hand-edited": HandEditedError.exit_code}
@@ -37,9 +37,9 @@ def generate(spec: str, out: Path, force: bool, as_json: bool) -> None:
     The package, C and NumPy, goes to a folder of its own in DIR. SPEC is a file or the name of a
     shipped model (symnav list). Nothing is written when the specification has mistakes.
     """
-    from symnav import pipeline
+    with without_collector(), progress() as reporter:
+        from symnav import pipeline
 
-    with progress() as reporter:
         loaded = pipeline.load(spec)
         done = pipeline.generate(loaded, out, progress=reporter.stage, force=force)
     if as_json:

@@ -11,7 +11,7 @@ from symnav.emit.python.names import result_names
 from symnav.emit.python.shapes import entries
 from symnav.emit.python.straight import sources
 from symnav.emit.python.stubs import backend_stub, stub
-from symnav.emit.templates import render
+from symnav.emit.templates import plain, render
 
 _STATIC = (
     "_arrays.py",
@@ -45,7 +45,7 @@ def emit(module: ir.Module, single: ir.Module | None = None) -> dict[str, str]:
         Every Python file but ``numpy.py``, the stubs of all of them, and the C through which
         Python's arrays reach the exported C.
     """
-    files = {name: render(f"package/{name}") for name in _STATIC}
+    files = {name: plain(f"package/{name}") for name in _STATIC}
     files["native.py"] = native(module)
     files["native.pyi"] = backend_stub(module.functions, threaded=True)
     files |= sources(module)

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from symnav import ir
 from symnav.emit.python.shapes import is_jacobian, is_scalar, jacobians
-from symnav.emit.templates import render
+from symnav.emit.templates import plain, render
 
 _WIDTH = 100
 
@@ -43,7 +43,7 @@ def sources(module: ir.Module) -> dict[str, str]:
     return {
         f"{stem}.c": render("straight/functions.c.j2", prefix=module.name, ways=ways),
         f"{stem}.h": render("straight/functions.h.j2", prefix=module.name, ways=ways),
-        "straight/straight.h": render("straight/straight.h"),
+        "straight/straight.h": plain("straight/straight.h"),
     }
 
 
