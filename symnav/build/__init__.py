@@ -195,8 +195,8 @@ def _module_name(
     extension: _Extension, digests: Mapping[str, str], compiler: Compiler, flags: Sequence[str]
 ) -> str:
     """``_<package>_<digest>``, or with ``_casadi`` in between."""
-    folders = (extension.include.relative_to(extension.package).parts[0],)
-    folders += (FOLDER,) if extension.straight else ()
+    own = extension.include.relative_to(extension.package).parts[0]
+    folders = {own, FOLDER} if extension.straight else {own}
     basis = {
         "sources": {path: digests[path] for path in digests if path.partition("/")[0] in folders},
         "flags": [*flags, *LIGHT_FLAGS],

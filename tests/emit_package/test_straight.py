@@ -13,7 +13,7 @@ from numpy.testing import assert_array_equal
 
 from symnav import build, ir
 from symnav.emit import c
-from tests.emit_numpy import modules, packages
+from tests.emit_numpy import modules, packages, records
 from tests.emit_numpy.packages import backend, called
 
 FUNCTIONS = {function.name: function for function in modules.module().functions}
@@ -181,10 +181,12 @@ def test_numbers_are_taken(package: ModuleType) -> None:
     native = backend(package, "native")
     way = native._library.straight("operations")
     outputs = [np.zeros(output.shape) for output in FUNCTIONS["operations"].outputs]
-    for number in (0.5, np.float64(0.5), np.array(0.5)):
+    numbers: list[Any] = [0.5, np.float64(0.5), np.array(0.5)]
+    for number in numbers:
         assert entered(way, [number, 1.5, *outputs]) == 0
         assert outputs[0][0] == 2.0
-    for number in (1, True, np.float32(0.5), "0.5", 0.5j):
+    others: list[Any] = [1, True, np.float32(0.5), "0.5", 0.5j]
+    for number in others:
         assert entered(way, [number, 1.5, *outputs]) == UNFIT
     assert native.operations(a=1, b=1.5).value[0] == 2.5
     single = backend(package, "native_f32")._library.straight("operations")
@@ -195,11 +197,11 @@ def test_numbers_are_taken(package: ModuleType) -> None:
 
 def choice() -> ir.Function:
     """One of two elements of the state, by a number that is an integer."""
-    chosen = modules.call(ir.Operation.EQ, ir.Load("k", 0), modules.number(0.0))
-    value = modules.call(ir.Operation.SELECT, chosen, modules.x(0), modules.x(1))
-    domain = modules.domain("k", 1, (0.0, 1.0), kind=ir.Kind.INTEGER, unit="1")
-    outputs = (modules.output("value", (1,), [((0,), value)]),)
-    return modules.function("choice", (modules.X, modules.argument(domain)), outputs)
+    chosen = records.call(ir.Operation.EQ, ir.Load("k", 0), records.number(0.0))
+    value = records.call(ir.Operation.SELECT, chosen, modules.x(0), modules.x(1))
+    own = records.domain("k", 1, (0.0, 1.0), kind=ir.Kind.INTEGER, unit="1")
+    outputs = (records.output("value", (1,), [((0,), value)]),)
+    return records.function("choice", (modules.X, records.argument(own)), outputs)
 
 
 @pytest.fixture(scope="module")
