@@ -298,7 +298,9 @@ class Blocks:
         block = f"{self._struct().name} *{kernel.target.macro}_RESTRICT block"
         return {
             "head": head(
-                "static void", f"{kernel.local}_gather", ["int32_t count", *declarations, block]
+                f"static {kernel.target.macro}_WIDE void",
+                f"{kernel.local}_gather",
+                ["int32_t count", *declarations, block],
             ),
             "lines": lines,
         }
@@ -320,7 +322,8 @@ class Blocks:
             elif not nonzeros:
                 fills += self._fill(store)
         return {
-            "head": entry.prototype(status),
+            # Elements move between rows and blocks in vectors as well.
+            "head": entry.prototype(f"{kernel.target.macro}_WIDE {status}"),
             "pointers": comments.code(f"if ({entry.pointers}) {{"),
             "gather": self._statement(
                 call(f"{kernel.local}_gather", ["count", *passed, "&block"]), depth=3
