@@ -10,7 +10,7 @@ import numpy as np
 
 from ._batches import BatchFunction, numbers, spread, voided
 from ._calls import Evaluation
-from ._extension import Library
+from ._extension import UNFIT, Library
 from ._runtime import (
     Array,
     Extent,
@@ -66,23 +66,28 @@ class CompiledFunction(BatchFunction):
         return voided(Evaluation(outputs, status, item_status), out)
 
     def bound(self, arrays: Sequence[Array], extent: Extent, out: list[Array]) -> Callable[[], Any]:
-        """Pointers made once; what is left of a call is the C and a look at its status."""
+        """An address or pointers made once; what is left of a call is the C and its status."""
         if self.signature.column_major:
             return super().bound(arrays, extent, out)
         if extent.batch != ():
             return self._bound_batch(arrays, extent, out)
         items = self._item_status(extent)
-        first, *rest = map(self._pointer, [*arrays, *out, *items])
+        memory = (np.ndarray, *arrays, *out, *items)
+        straight = partial(self._library.straight(self.signature.name), id(memory))
+        first, *rest = map(self._pointer, memory[1:])
         run = partial(self._entries[Part.ALL], first, *numbers(extent), *rest)
         item_status = items[0] if items else None
         done = self.result(Evaluation(out, Status.OK, item_status), arrays)
 
         def call() -> Any:
-            status = run()
+            status = straight()
+            if status == UNFIT:
+                status = run()
             if status:
                 return self.result(Evaluation(out, Status(status), item_status), arrays)
             return done
 
+        call.__dict__["memory"] = memory  # lives as long as its address is used
         return call
 
     def _once(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType
@@ -250,6 +251,26 @@ def test_a_build_with_headers_is_another(small: ModuleType, tmp_path: Path) -> N
         assert entered(way, [x, number, value]) == 0
         assert value[0] == x[number]
         assert native.choice(x, k=np.int64(number)).value[0] == x[number]
+
+
+def test_bound_calls_outlive_their_arguments(
+    package: ModuleType, small: ModuleType, rng: np.random.Generator
+) -> None:
+    """With and without straight ways; an array that is reshaped in place is read as it lies."""
+    for chosen in (package, small):
+        x, arm, *out = epoch(rng)
+        expected = chosen.gps(x, lever_arm=arm)
+        call = chosen.gps.bind(x, lever_arm=arm, out=out)
+        del out
+        gc.collect()
+        assert_array_equal(call().jacobian, expected.jacobian)
+        arm += 1.0
+        arm.shape = (3, 1)
+        expected = chosen.gps(x, lever_arm=arm[:, 0])
+        assert_array_equal(call().jacobian, expected.jacobian)
+        x[0] = np.nan
+        with pytest.raises(chosen.GuardError, match="x"):
+            call()
 
 
 @pytest.mark.parametrize("other", ["3.0.1", "1.26.4"])
