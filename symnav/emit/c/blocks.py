@@ -298,9 +298,7 @@ class Blocks:
         block = f"{self._struct().name} *{kernel.target.macro}_RESTRICT block"
         return {
             "head": head(
-                f"static {kernel.target.macro}_WIDE void",
-                f"{kernel.local}_gather",
-                ["int32_t count", *declarations, block],
+                "static void", f"{kernel.local}_gather", ["int32_t count", *declarations, block]
             ),
             "lines": lines,
         }
@@ -322,8 +320,7 @@ class Blocks:
             elif not nonzeros:
                 fills += self._fill(store)
         return {
-            # Elements move between rows and blocks in vectors as well.
-            "head": entry.prototype(f"{kernel.target.macro}_WIDE {status}"),
+            "head": entry.prototype(status),
             "pointers": comments.code(f"if ({entry.pointers}) {{"),
             "gather": self._statement(
                 call(f"{kernel.local}_gather", ["count", *passed, "&block"]), depth=3

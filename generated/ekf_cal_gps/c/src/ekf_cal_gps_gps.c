@@ -382,7 +382,7 @@ typedef struct {
 } gps_block_t;
 
 /* Lay rows of epochs side by side. */
-static EKF_CAL_GPS_WIDE void gps_gather(
+static void gps_gather(
     int32_t count,
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT],
     ptrdiff_t x_step,
@@ -398,7 +398,7 @@ static EKF_CAL_GPS_WIDE void gps_gather(
     rows_to_lanes(count, measured, measured_step, 3, EKF_CAL_GPS_GPS_LANES, block->measured);
 }
 
-EKF_CAL_GPS_WIDE ekf_cal_gps_status_t ekf_cal_gps_gps_batch(
+ekf_cal_gps_status_t ekf_cal_gps_gps_batch(
     int32_t epochs,
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT],
     int32_t x_step,
@@ -442,7 +442,7 @@ EKF_CAL_GPS_WIDE ekf_cal_gps_status_t ekf_cal_gps_gps_batch(
     return result;
 }
 
-EKF_CAL_GPS_WIDE ekf_cal_gps_status_t ekf_cal_gps_gps_batch_nz(
+ekf_cal_gps_status_t ekf_cal_gps_gps_batch_nz(
     int32_t epochs,
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT],
     int32_t x_step,

@@ -368,7 +368,7 @@ typedef struct {
 } gps_known_antenna_block_t;
 
 /* Lay rows of epochs side by side. */
-static EKF_CAL_GPS_WIDE void gps_known_antenna_gather(
+static void gps_known_antenna_gather(
     int32_t count,
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT],
     ptrdiff_t x_step,
@@ -387,7 +387,7 @@ static EKF_CAL_GPS_WIDE void gps_known_antenna_gather(
         block->measured);
 }
 
-EKF_CAL_GPS_WIDE ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_batch(
+ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_batch(
     int32_t epochs,
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT],
     int32_t x_step,
@@ -435,7 +435,7 @@ EKF_CAL_GPS_WIDE ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_batch(
     return result;
 }
 
-EKF_CAL_GPS_WIDE ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_batch_nz(
+ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_batch_nz(
     int32_t epochs,
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT],
     int32_t x_step,

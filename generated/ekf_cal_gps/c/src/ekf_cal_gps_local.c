@@ -241,7 +241,7 @@ typedef struct {
 } local_block_t;
 
 /* Lay rows of epochs side by side. */
-static EKF_CAL_GPS_WIDE void local_gather(
+static void local_gather(
     int32_t count,
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT],
     ptrdiff_t x_step,
@@ -253,7 +253,7 @@ static EKF_CAL_GPS_WIDE void local_gather(
     rows_to_lanes(count, y, y_step, 22, EKF_CAL_GPS_LOCAL_LANES, block->y);
 }
 
-EKF_CAL_GPS_WIDE ekf_cal_gps_status_t ekf_cal_gps_local_batch(
+ekf_cal_gps_status_t ekf_cal_gps_local_batch(
     int32_t epochs,
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT],
     int32_t x_step,

@@ -369,7 +369,7 @@ typedef struct {
 } local_fix_block_t;
 
 /* Lay rows of epochs side by side. */
-static EKF_CAL_GPS_WIDE void local_fix_gather(
+static void local_fix_gather(
     int32_t count,
     const ekf_cal_gps_real_t heading[EKF_CAL_GPS_RESTRICT],
     ptrdiff_t heading_step,
@@ -389,7 +389,7 @@ static EKF_CAL_GPS_WIDE void local_fix_gather(
         block->covariance_2);
 }
 
-EKF_CAL_GPS_WIDE ekf_cal_gps_status_t ekf_cal_gps_local_fix_batch(
+ekf_cal_gps_status_t ekf_cal_gps_local_fix_batch(
     int32_t epochs,
     const ekf_cal_gps_real_t heading[EKF_CAL_GPS_RESTRICT],
     int32_t heading_step,
@@ -441,7 +441,7 @@ EKF_CAL_GPS_WIDE ekf_cal_gps_status_t ekf_cal_gps_local_fix_batch(
     return result;
 }
 
-EKF_CAL_GPS_WIDE ekf_cal_gps_status_t ekf_cal_gps_local_fix_batch_nz(
+ekf_cal_gps_status_t ekf_cal_gps_local_fix_batch_nz(
     int32_t epochs,
     const ekf_cal_gps_real_t heading[EKF_CAL_GPS_RESTRICT],
     int32_t heading_step,

@@ -461,7 +461,7 @@ typedef struct {
 } gps_1_block_t;
 
 /* Lay rows of epochs side by side. */
-static EKF_CAL_ONLINE_WIDE void gps_1_gather(
+static void gps_1_gather(
     int32_t count,
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT],
     ptrdiff_t x_step,
@@ -480,7 +480,7 @@ static EKF_CAL_ONLINE_WIDE void gps_1_gather(
     rows_to_lanes(count, measured, measured_step, 3, EKF_CAL_ONLINE_GPS_1_LANES, block->measured);
 }
 
-EKF_CAL_ONLINE_WIDE ekf_cal_online_status_t ekf_cal_online_gps_1_batch(
+ekf_cal_online_status_t ekf_cal_online_gps_1_batch(
     int32_t epochs,
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT],
     int32_t x_step,
@@ -530,7 +530,7 @@ EKF_CAL_ONLINE_WIDE ekf_cal_online_status_t ekf_cal_online_gps_1_batch(
     return result;
 }
 
-EKF_CAL_ONLINE_WIDE ekf_cal_online_status_t ekf_cal_online_gps_1_batch_nz(
+ekf_cal_online_status_t ekf_cal_online_gps_1_batch_nz(
     int32_t epochs,
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT],
     int32_t x_step,

@@ -454,7 +454,7 @@ typedef struct {
 } gps_2_block_t;
 
 /* Lay rows of epochs side by side. */
-static EKF_CAL_ONLINE_WIDE void gps_2_gather(
+static void gps_2_gather(
     int32_t count,
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT],
     ptrdiff_t x_step,
@@ -475,7 +475,7 @@ static EKF_CAL_ONLINE_WIDE void gps_2_gather(
     rows_to_lanes(count, measured, measured_step, 3, EKF_CAL_ONLINE_GPS_2_LANES, block->measured);
 }
 
-EKF_CAL_ONLINE_WIDE ekf_cal_online_status_t ekf_cal_online_gps_2_batch(
+ekf_cal_online_status_t ekf_cal_online_gps_2_batch(
     int32_t epochs,
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT],
     int32_t x_step,
@@ -525,7 +525,7 @@ EKF_CAL_ONLINE_WIDE ekf_cal_online_status_t ekf_cal_online_gps_2_batch(
     return result;
 }
 
-EKF_CAL_ONLINE_WIDE ekf_cal_online_status_t ekf_cal_online_gps_2_batch_nz(
+ekf_cal_online_status_t ekf_cal_online_gps_2_batch_nz(
     int32_t epochs,
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT],
     int32_t x_step,

@@ -258,7 +258,7 @@ typedef struct {
 } local_block_t;
 
 /* Lay rows of epochs side by side. */
-static EKF_CAL_ONLINE_WIDE void local_gather(
+static void local_gather(
     int32_t count,
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT],
     ptrdiff_t x_step,
@@ -270,7 +270,7 @@ static EKF_CAL_ONLINE_WIDE void local_gather(
     rows_to_lanes(count, y, y_step, 26, EKF_CAL_ONLINE_LOCAL_LANES, block->y);
 }
 
-EKF_CAL_ONLINE_WIDE ekf_cal_online_status_t ekf_cal_online_local_batch(
+ekf_cal_online_status_t ekf_cal_online_local_batch(
     int32_t epochs,
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT],
     int32_t x_step,

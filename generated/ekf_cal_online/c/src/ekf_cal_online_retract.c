@@ -259,7 +259,7 @@ typedef struct {
 } retract_block_t;
 
 /* Lay rows of epochs side by side. */
-static EKF_CAL_ONLINE_WIDE void retract_gather(
+static void retract_gather(
     int32_t count,
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT],
     ptrdiff_t x_step,
@@ -271,7 +271,7 @@ static EKF_CAL_ONLINE_WIDE void retract_gather(
     rows_to_lanes(count, d, d_step, 25, EKF_CAL_ONLINE_RETRACT_LANES, block->d);
 }
 
-EKF_CAL_ONLINE_WIDE ekf_cal_online_status_t ekf_cal_online_retract_batch(
+ekf_cal_online_status_t ekf_cal_online_retract_batch(
     int32_t epochs,
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT],
     int32_t x_step,

@@ -228,7 +228,7 @@ typedef struct {
 } local_block_t;
 
 /* Lay rows of epochs side by side. */
-static FARRELL_TIGHTLY_COUPLED_WIDE void local_gather(
+static void local_gather(
     int32_t count,
     const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT],
     ptrdiff_t x_step,
@@ -240,7 +240,7 @@ static FARRELL_TIGHTLY_COUPLED_WIDE void local_gather(
     rows_to_lanes(count, y, y_step, 18, FARRELL_TIGHTLY_COUPLED_LOCAL_LANES, block->y);
 }
 
-FARRELL_TIGHTLY_COUPLED_WIDE farrell_tightly_coupled_status_t farrell_tightly_coupled_local_batch(
+farrell_tightly_coupled_status_t farrell_tightly_coupled_local_batch(
     int32_t epochs,
     const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT],
     int32_t x_step,

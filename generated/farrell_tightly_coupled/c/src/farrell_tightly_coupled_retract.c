@@ -229,7 +229,7 @@ typedef struct {
 } retract_block_t;
 
 /* Lay rows of epochs side by side. */
-static FARRELL_TIGHTLY_COUPLED_WIDE void retract_gather(
+static void retract_gather(
     int32_t count,
     const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT],
     ptrdiff_t x_step,
@@ -241,7 +241,7 @@ static FARRELL_TIGHTLY_COUPLED_WIDE void retract_gather(
     rows_to_lanes(count, d, d_step, 17, FARRELL_TIGHTLY_COUPLED_RETRACT_LANES, block->d);
 }
 
-FARRELL_TIGHTLY_COUPLED_WIDE farrell_tightly_coupled_status_t farrell_tightly_coupled_retract_batch(
+farrell_tightly_coupled_status_t farrell_tightly_coupled_retract_batch(
     int32_t epochs,
     const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT],
     int32_t x_step,

@@ -456,7 +456,7 @@ typedef struct {
 } calc_force_block_t;
 
 /* Lay rows of epochs side by side. */
-static NAVTK_SPECIFIC_FORCE_WIDE void calc_force_gather(
+static void calc_force_gather(
     int32_t count,
     const navtk_specific_force_real_t dcm[NAVTK_SPECIFIC_FORCE_RESTRICT],
     ptrdiff_t dcm_step,
@@ -476,7 +476,7 @@ static NAVTK_SPECIFIC_FORCE_WIDE void calc_force_gather(
     rows_to_lanes(count, dt, dt_step, 1, NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES, block->dt);
 }
 
-NAVTK_SPECIFIC_FORCE_WIDE navtk_specific_force_status_t navtk_specific_force_calc_force_batch(
+navtk_specific_force_status_t navtk_specific_force_calc_force_batch(
     int32_t epochs,
     const navtk_specific_force_real_t dcm[NAVTK_SPECIFIC_FORCE_RESTRICT],
     int32_t dcm_step,
@@ -537,7 +537,7 @@ NAVTK_SPECIFIC_FORCE_WIDE navtk_specific_force_status_t navtk_specific_force_cal
     return result;
 }
 
-NAVTK_SPECIFIC_FORCE_WIDE navtk_specific_force_status_t navtk_specific_force_calc_force_batch_nz(
+navtk_specific_force_status_t navtk_specific_force_calc_force_batch_nz(
     int32_t epochs,
     const navtk_specific_force_real_t dcm[NAVTK_SPECIFIC_FORCE_RESTRICT],
     int32_t dcm_step,

@@ -512,7 +512,7 @@ typedef struct {
 } force_block_t;
 
 /* Lay rows of epochs side by side. */
-static NAVTK_SPECIFIC_FORCE_WIDE void force_gather(
+static void force_gather(
     int32_t count,
     const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT],
     ptrdiff_t x_step,
@@ -533,7 +533,7 @@ static NAVTK_SPECIFIC_FORCE_WIDE void force_gather(
     rows_to_lanes(count, dt, dt_step, 1, NAVTK_SPECIFIC_FORCE_FORCE_LANES, block->dt);
 }
 
-NAVTK_SPECIFIC_FORCE_WIDE navtk_specific_force_status_t navtk_specific_force_force_batch(
+navtk_specific_force_status_t navtk_specific_force_force_batch(
     int32_t epochs,
     const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT],
     int32_t x_step,
@@ -593,7 +593,7 @@ NAVTK_SPECIFIC_FORCE_WIDE navtk_specific_force_status_t navtk_specific_force_for
     return result;
 }
 
-NAVTK_SPECIFIC_FORCE_WIDE navtk_specific_force_status_t navtk_specific_force_force_batch_nz(
+navtk_specific_force_status_t navtk_specific_force_force_batch_nz(
     int32_t epochs,
     const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT],
     int32_t x_step,

@@ -220,7 +220,7 @@ typedef struct {
 } local_block_t;
 
 /* Lay rows of epochs side by side. */
-static NAVTK_SPECIFIC_FORCE_WIDE void local_gather(
+static void local_gather(
     int32_t count,
     const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT],
     ptrdiff_t x_step,
@@ -232,7 +232,7 @@ static NAVTK_SPECIFIC_FORCE_WIDE void local_gather(
     rows_to_lanes(count, y, y_step, 16, NAVTK_SPECIFIC_FORCE_LOCAL_LANES, block->y);
 }
 
-NAVTK_SPECIFIC_FORCE_WIDE navtk_specific_force_status_t navtk_specific_force_local_batch(
+navtk_specific_force_status_t navtk_specific_force_local_batch(
     int32_t epochs,
     const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT],
     int32_t x_step,

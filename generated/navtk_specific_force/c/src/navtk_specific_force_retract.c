@@ -221,7 +221,7 @@ typedef struct {
 } retract_block_t;
 
 /* Lay rows of epochs side by side. */
-static NAVTK_SPECIFIC_FORCE_WIDE void retract_gather(
+static void retract_gather(
     int32_t count,
     const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT],
     ptrdiff_t x_step,
@@ -233,7 +233,7 @@ static NAVTK_SPECIFIC_FORCE_WIDE void retract_gather(
     rows_to_lanes(count, d, d_step, 15, NAVTK_SPECIFIC_FORCE_RETRACT_LANES, block->d);
 }
 
-NAVTK_SPECIFIC_FORCE_WIDE navtk_specific_force_status_t navtk_specific_force_retract_batch(
+navtk_specific_force_status_t navtk_specific_force_retract_batch(
     int32_t epochs,
     const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT],
     int32_t x_step,

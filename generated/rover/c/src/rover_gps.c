@@ -325,7 +325,7 @@ typedef struct {
 } gps_block_t;
 
 /* Lay rows of epochs side by side. */
-static ROVER_WIDE void gps_gather(
+static void gps_gather(
     int32_t count,
     const rover_real_t x[ROVER_RESTRICT],
     ptrdiff_t x_step,
@@ -336,7 +336,7 @@ static ROVER_WIDE void gps_gather(
     rows_to_lanes(count, &x[16], x_step, 3, ROVER_GPS_LANES, &block->x[16 * ROVER_GPS_LANES]);
 }
 
-ROVER_WIDE rover_status_t rover_gps_batch(
+rover_status_t rover_gps_batch(
     int32_t epochs,
     const rover_real_t x[ROVER_RESTRICT],
     int32_t x_step,
@@ -372,7 +372,7 @@ ROVER_WIDE rover_status_t rover_gps_batch(
     return result;
 }
 
-ROVER_WIDE rover_status_t rover_gps_batch_nz(
+rover_status_t rover_gps_batch_nz(
     int32_t epochs,
     const rover_real_t x[ROVER_RESTRICT],
     int32_t x_step,

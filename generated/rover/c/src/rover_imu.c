@@ -368,7 +368,7 @@ typedef struct {
 } imu_block_t;
 
 /* Lay rows of epochs side by side. */
-static ROVER_WIDE void imu_gather(
+static void imu_gather(
     int32_t count,
     const rover_real_t x[ROVER_RESTRICT],
     ptrdiff_t x_step,
@@ -387,7 +387,7 @@ static ROVER_WIDE void imu_gather(
     rows_to_lanes(count, dt, dt_step, 1, ROVER_IMU_LANES, block->dt);
 }
 
-ROVER_WIDE rover_status_t rover_imu_batch(
+rover_status_t rover_imu_batch(
     int32_t epochs,
     const rover_real_t x[ROVER_RESTRICT],
     int32_t x_step,
@@ -432,7 +432,7 @@ ROVER_WIDE rover_status_t rover_imu_batch(
     return result;
 }
 
-ROVER_WIDE rover_status_t rover_imu_batch_nz(
+rover_status_t rover_imu_batch_nz(
     int32_t epochs,
     const rover_real_t x[ROVER_RESTRICT],
     int32_t x_step,

@@ -239,7 +239,7 @@ typedef struct {
 } local_block_t;
 
 /* Lay rows of epochs side by side. */
-static ROVER_WIDE void local_gather(
+static void local_gather(
     int32_t count,
     const rover_real_t x[ROVER_RESTRICT],
     ptrdiff_t x_step,
@@ -251,7 +251,7 @@ static ROVER_WIDE void local_gather(
     rows_to_lanes(count, y, y_step, 22, ROVER_LOCAL_LANES, block->y);
 }
 
-ROVER_WIDE rover_status_t rover_local_batch(
+rover_status_t rover_local_batch(
     int32_t epochs,
     const rover_real_t x[ROVER_RESTRICT],
     int32_t x_step,

@@ -241,7 +241,7 @@ typedef struct {
 } retract_block_t;
 
 /* Lay rows of epochs side by side. */
-static ROVER_WIDE void retract_gather(
+static void retract_gather(
     int32_t count,
     const rover_real_t x[ROVER_RESTRICT],
     ptrdiff_t x_step,
@@ -253,7 +253,7 @@ static ROVER_WIDE void retract_gather(
     rows_to_lanes(count, d, d_step, 21, ROVER_RETRACT_LANES, block->d);
 }
 
-ROVER_WIDE rover_status_t rover_retract_batch(
+rover_status_t rover_retract_batch(
     int32_t epochs,
     const rover_real_t x[ROVER_RESTRICT],
     int32_t x_step,

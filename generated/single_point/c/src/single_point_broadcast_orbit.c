@@ -443,7 +443,7 @@ typedef struct {
 } broadcast_orbit_block_t;
 
 /* Lay rows of epochs side by side. */
-static SINGLE_POINT_WIDE void broadcast_orbit_gather(
+static void broadcast_orbit_gather(
     int32_t count,
     const single_point_real_t time_2[SINGLE_POINT_RESTRICT],
     ptrdiff_t time_2_step,
@@ -524,7 +524,7 @@ static SINGLE_POINT_WIDE void broadcast_orbit_gather(
         block->group_delay);
 }
 
-SINGLE_POINT_WIDE single_point_status_t single_point_broadcast_orbit_batch(
+single_point_status_t single_point_broadcast_orbit_batch(
     int32_t epochs,
     const single_point_real_t time_2[SINGLE_POINT_RESTRICT],
     int32_t time_2_step,

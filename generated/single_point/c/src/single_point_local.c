@@ -172,7 +172,7 @@ typedef struct {
 } local_block_t;
 
 /* Lay rows of epochs side by side. */
-static SINGLE_POINT_WIDE void local_gather(
+static void local_gather(
     int32_t count,
     const single_point_real_t x[SINGLE_POINT_RESTRICT],
     ptrdiff_t x_step,
@@ -184,7 +184,7 @@ static SINGLE_POINT_WIDE void local_gather(
     rows_to_lanes(count, y, y_step, 4, SINGLE_POINT_LOCAL_LANES, block->y);
 }
 
-SINGLE_POINT_WIDE single_point_status_t single_point_local_batch(
+single_point_status_t single_point_local_batch(
     int32_t epochs,
     const single_point_real_t x[SINGLE_POINT_RESTRICT],
     int32_t x_step,

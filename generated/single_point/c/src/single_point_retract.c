@@ -172,7 +172,7 @@ typedef struct {
 } retract_block_t;
 
 /* Lay rows of epochs side by side. */
-static SINGLE_POINT_WIDE void retract_gather(
+static void retract_gather(
     int32_t count,
     const single_point_real_t x[SINGLE_POINT_RESTRICT],
     ptrdiff_t x_step,
@@ -184,7 +184,7 @@ static SINGLE_POINT_WIDE void retract_gather(
     rows_to_lanes(count, d, d_step, 4, SINGLE_POINT_RETRACT_LANES, block->d);
 }
 
-SINGLE_POINT_WIDE single_point_status_t single_point_retract_batch(
+single_point_status_t single_point_retract_batch(
     int32_t epochs,
     const single_point_real_t x[SINGLE_POINT_RESTRICT],
     int32_t x_step,

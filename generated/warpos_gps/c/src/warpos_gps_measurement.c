@@ -264,7 +264,7 @@ typedef struct {
 } measurement_block_t;
 
 /* Lay rows of epochs side by side. */
-static WARPOS_GPS_WIDE void measurement_gather(
+static void measurement_gather(
     int32_t count,
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
     ptrdiff_t x_step,
@@ -274,7 +274,7 @@ static WARPOS_GPS_WIDE void measurement_gather(
         &block->x[4 * WARPOS_GPS_MEASUREMENT_LANES]);
 }
 
-WARPOS_GPS_WIDE warpos_gps_status_t warpos_gps_measurement_batch(
+warpos_gps_status_t warpos_gps_measurement_batch(
     int32_t epochs,
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
     int32_t x_step,
@@ -311,7 +311,7 @@ WARPOS_GPS_WIDE warpos_gps_status_t warpos_gps_measurement_batch(
     return result;
 }
 
-WARPOS_GPS_WIDE warpos_gps_status_t warpos_gps_measurement_batch_nz(
+warpos_gps_status_t warpos_gps_measurement_batch_nz(
     int32_t epochs,
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
     int32_t x_step,

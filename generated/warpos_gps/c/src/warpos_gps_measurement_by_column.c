@@ -288,7 +288,7 @@ typedef struct {
 } measurement_by_column_block_t;
 
 /* Lay rows of epochs side by side. */
-static WARPOS_GPS_WIDE void measurement_by_column_gather(
+static void measurement_by_column_gather(
     int32_t count,
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
     ptrdiff_t x_step,
@@ -298,7 +298,7 @@ static WARPOS_GPS_WIDE void measurement_by_column_gather(
         &block->x[4 * WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES]);
 }
 
-WARPOS_GPS_WIDE warpos_gps_status_t warpos_gps_measurement_by_column_batch(
+warpos_gps_status_t warpos_gps_measurement_by_column_batch(
     int32_t epochs,
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
     int32_t x_step,
@@ -335,7 +335,7 @@ WARPOS_GPS_WIDE warpos_gps_status_t warpos_gps_measurement_by_column_batch(
     return result;
 }
 
-WARPOS_GPS_WIDE warpos_gps_status_t warpos_gps_measurement_by_column_batch_nz(
+warpos_gps_status_t warpos_gps_measurement_by_column_batch_nz(
     int32_t epochs,
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
     int32_t x_step,

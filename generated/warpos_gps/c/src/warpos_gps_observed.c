@@ -293,7 +293,7 @@ typedef struct {
 } observed_block_t;
 
 /* Lay rows of epochs side by side. */
-static WARPOS_GPS_WIDE void observed_gather(
+static void observed_gather(
     int32_t count,
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
     ptrdiff_t x_step,
@@ -307,7 +307,7 @@ static WARPOS_GPS_WIDE void observed_gather(
         block->observer_attitude);
 }
 
-WARPOS_GPS_WIDE warpos_gps_status_t warpos_gps_observed_batch(
+warpos_gps_status_t warpos_gps_observed_batch(
     int32_t epochs,
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
     int32_t x_step,
@@ -348,7 +348,7 @@ WARPOS_GPS_WIDE warpos_gps_status_t warpos_gps_observed_batch(
     return result;
 }
 
-WARPOS_GPS_WIDE warpos_gps_status_t warpos_gps_observed_batch_nz(
+warpos_gps_status_t warpos_gps_observed_batch_nz(
     int32_t epochs,
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
     int32_t x_step,

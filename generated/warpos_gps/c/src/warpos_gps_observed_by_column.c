@@ -319,7 +319,7 @@ typedef struct {
 } observed_by_column_block_t;
 
 /* Lay rows of epochs side by side. */
-static WARPOS_GPS_WIDE void observed_by_column_gather(
+static void observed_by_column_gather(
     int32_t count,
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
     ptrdiff_t x_step,
@@ -333,7 +333,7 @@ static WARPOS_GPS_WIDE void observed_by_column_gather(
         WARPOS_GPS_OBSERVED_BY_COLUMN_LANES, block->observer_attitude);
 }
 
-WARPOS_GPS_WIDE warpos_gps_status_t warpos_gps_observed_by_column_batch(
+warpos_gps_status_t warpos_gps_observed_by_column_batch(
     int32_t epochs,
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
     int32_t x_step,
@@ -374,7 +374,7 @@ WARPOS_GPS_WIDE warpos_gps_status_t warpos_gps_observed_by_column_batch(
     return result;
 }
 
-WARPOS_GPS_WIDE warpos_gps_status_t warpos_gps_observed_by_column_batch_nz(
+warpos_gps_status_t warpos_gps_observed_by_column_batch_nz(
     int32_t epochs,
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
     int32_t x_step,

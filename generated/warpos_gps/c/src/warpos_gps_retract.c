@@ -215,7 +215,7 @@ typedef struct {
 } retract_block_t;
 
 /* Lay rows of epochs side by side. */
-static WARPOS_GPS_WIDE void retract_gather(
+static void retract_gather(
     int32_t count,
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
     ptrdiff_t x_step,
@@ -227,7 +227,7 @@ static WARPOS_GPS_WIDE void retract_gather(
     rows_to_lanes(count, d, d_step, 15, WARPOS_GPS_RETRACT_LANES, block->d);
 }
 
-WARPOS_GPS_WIDE warpos_gps_status_t warpos_gps_retract_batch(
+warpos_gps_status_t warpos_gps_retract_batch(
     int32_t epochs,
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
     int32_t x_step,

@@ -273,7 +273,7 @@ typedef struct {
 } to_state_frame_block_t;
 
 /* Lay rows of epochs side by side. */
-static WARPOS_GPS_WIDE void to_state_frame_gather(
+static void to_state_frame_gather(
     int32_t count,
     const warpos_gps_real_t observer_attitude[WARPOS_GPS_RESTRICT],
     ptrdiff_t observer_attitude_step,
@@ -303,7 +303,7 @@ static WARPOS_GPS_WIDE void to_state_frame_gather(
         block->covariance_2);
 }
 
-WARPOS_GPS_WIDE warpos_gps_status_t warpos_gps_to_state_frame_batch(
+warpos_gps_status_t warpos_gps_to_state_frame_batch(
     int32_t epochs,
     const warpos_gps_real_t observer_attitude[WARPOS_GPS_RESTRICT],
     int32_t observer_attitude_step,
