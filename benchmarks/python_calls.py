@@ -140,19 +140,24 @@ def as_written(function: Call, x: Array, given: Mapping[str, Any], **more: Any) 
 def by_hand(problem: Problem, package: ModuleType, x: Array, given: Mapping[str, Any]) -> Call:
     """The same C through cffi as one writes it by hand: new arrays, nothing looked at."""
     library = package.native._library
-    entry, pointer = library.entry(FUNCTION), library.ffi.from_buffer
-    reals, integers, count = library.reals, library.bytes, [problem.items] * bool(problem.items)
-    inputs = [np.asarray(array) for array in given.values()]
-    shapes = [array.shape for array in results(problem, ())]
-
-    def call() -> tuple[Array, Array]:
-        value, jacobian = np.empty(shapes[0]), np.empty(shapes[1])
-        first, *rest = [pointer(reals, array) for array in (x, *inputs, value, jacobian)]
-        states = [pointer(integers, np.empty(n, np.uint8)) for n in count]
-        if entry(first, *count, *rest, *states):
-            raise ValueError("status")
-        return value, jacobian
-
+    inputs = {name: np.asarray(array) for name, array in given.items()}
+    reals = ", ".join(f"pointer(reals, {name})" for name in (*inputs, "value", "jacobian"))
+    count, states = "", ""
+    if problem.items:
+        count = f"{problem.items}, "
+        states = f", pointer(bytes, empty({problem.items}, byte))"
+    value, jacobian = (array.shape for array in results(problem, ()))
+    text = (
+        f"def call():\n    value, jacobian = empty({value}), empty({jacobian})\n"
+        f"    status = entry(pointer(reals, x), {count}{reals}{states})\n"
+        "    return value, jacobian, status\n"
+    )
+    names: dict[str, Any] = {
+        **inputs, "x": x, "entry": library.entry(FUNCTION), "pointer": library.ffi.from_buffer,
+        "reals": library.reals, "bytes": library.bytes, "empty": np.empty, "byte": np.uint8,
+    }  # fmt: skip
+    exec(text, names)
+    call: Call = names["call"]
     return call
 
 
