@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import product
 from operator import itemgetter
 from typing import Any, NamedTuple
@@ -31,8 +32,11 @@ from ._runtime import (
 )
 from ._tables import BlockGuards, Elements, Source, Table
 
-#: Numbers in a row: less, and calls take longer than arithmetic; more, and the cache overflows.
+#: Most epochs in a block: less, and calls take longer than arithmetic; more, and the intermediate
+#: values of a function overflow the cache.
 LENGTH = 4096
+#: Most numbers in a row of items, of which there are fewer at a time.
+ITEMS_LENGTH = 8192
 #: Fewest epochs in a block, however many items: what items share has rows of this length.
 SHORTEST = 512
 
@@ -104,36 +108,36 @@ def _columns(output: Output) -> Iterator[int]:
             yield place
 
 
-class Rows:
-    """Rows of numbers on their way to an output; constant ones are made once."""
+@lru_cache(maxsize=16)
+def _constant(value: float, shape: tuple[int, ...], real: Any) -> Array:
+    """A row of equal numbers, which nobody writes to."""
+    row = np.full(shape, value, dtype=real)
+    row.flags.writeable = False
+    return row
 
-    def __init__(self, shape: tuple[int, ...], real: Any) -> None:
-        self._shape, self._real = shape, real
-        self._constants: dict[float, Array] = {}
 
-    def _whole(self, value: Any) -> Array:
-        """A row of its full length from a number, or from an array that broadcasts to it."""
-        if isinstance(value, np.ndarray):
-            row = np.empty(self._shape, dtype=self._real)
-            row[...] = value
-            return row
-        found = self._constants.get(value)
-        if found is None:
-            found = self._constants[value] = np.full(self._shape, value, dtype=self._real)
-        return found
+def _whole(value: Any, shape: tuple[int, ...], real: Any) -> Array:
+    """A row of its full length from a number, or from an array that broadcasts to it."""
+    return (
+        np.broadcast_to(value, shape)
+        if isinstance(value, np.ndarray)
+        else _constant(value, shape, real)
+    )
 
-    def store(self, layout: Layout, rows: Sequence[Any], target: Array) -> None:
-        """Writes the rows of some epochs, (epochs, items if any, elements)."""
-        shape = self._shape
-        if not layout.complete:
-            target.fill(0.0)
-        for start, stop in layout.runs:
-            parts = [
-                row if type(row) is np.ndarray and row.shape == shape else self._whole(row)
-                for row in rows[start:stop]
-            ]
-            joined = np.concatenate(parts).reshape((stop - start, *shape))
-            target[..., start:stop] = joined.T
+
+def _store(
+    layout: Layout, rows: Sequence[Any], shape: tuple[int, ...], real: Any, target: Array
+) -> None:
+    """Writes the rows of some epochs, (epochs, items if any, elements)."""
+    if not layout.complete:
+        target.fill(0.0)
+    for start, stop in layout.runs:
+        parts = [
+            row if type(row) is np.ndarray and row.shape == shape else _whole(row, shape, real)
+            for row in rows[start:stop]
+        ]
+        joined = np.concatenate(parts).reshape((stop - start, *shape))
+        target[..., start:stop] = joined.T
 
 
 class Blocks:
@@ -176,7 +180,7 @@ class Blocks:
             array.reshape((count, *_own(layout, left), layout.size))
             for layout, array in zip(layouts, outputs, strict=True)
         ]
-        length = max(LENGTH // max(1, items or 1), SHORTEST)
+        length = max(min(LENGTH, ITEMS_LENGTH // max(1, items or 1)), SHORTEST)
         with np.errstate(all="ignore"):
             source = self._source(arrays, extent, count, real)
             for start in range(0, count, length):
@@ -257,12 +261,11 @@ class Block(NamedTuple):
         found = run(signature, self.kernel, space, guards, elements)
         count, items = item_status.shape
         rows = [self._rows(layout, found[layout.number], elements) for layout in self.layouts]
-        together = Rows((count,), self.real)
-        each = Rows((items, count), self.real) if signature.mapped else together
         direct = not guards.noted and self.reference is None
         whole = results if direct else self._room(count, items)
         for layout, own_rows, target in zip(self.layouts, rows, whole, strict=True):
-            (each if layout.output.item else together).store(layout, own_rows, target)
+            shape = (items, count) if layout.output.item and signature.mapped else (count,)
+            _store(layout, own_rows, shape, self.real, target)
         if not direct:
             noted = np.broadcast_to(guards.shared, (count,))
             by_item = np.broadcast_to(guards.item, (items, count)).T if signature.mapped else None
