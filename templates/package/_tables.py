@@ -21,6 +21,7 @@ Elements = dict[str, Any]
 
 _LARGEST = float(np.finfo(np.float64).max)
 _ROUNDING = 1e-14
+_FINE = np.zeros((), dtype=np.uint8)
 _NORMED = (Kind.QUATERNION, Kind.MATRIX)
 
 
@@ -28,8 +29,8 @@ class BlockGuards(Guards):
     """Guards that look closely only at what holds a bad value."""
 
     def __init__(self, real: Any) -> None:
-        super().__init__(np, real)
-        self.noted = False
+        self._xp, self.real, self.noted = np, real, False
+        self.shared = self.item = _FINE
 
     def check(
         self, value: Array, lower: float, upper: float, substitute: float, status: Status
