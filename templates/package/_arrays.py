@@ -65,37 +65,38 @@ class ArrayFunction(MaskedFunction):
         """All outputs; one epoch of ordinary numbers, and known shapes, take the short way."""
         if out is not None:
             return super().call(state, inputs, out)
-        found = self._epoch.evaluate(state, inputs)
-        if found is not None:
-            return tuple.__new__(self.signature.result, found)
+        if not state or getattr(state[0], "ndim", 1) == 1:
+            found = self._epoch.evaluate(state, inputs)
+            if found is not None:
+                return tuple.__new__(self.signature.result, found)
         given = [*state, *inputs.values()]
-        if not all(type(value) is np.ndarray for value in given):
-            return super().call(state, inputs)
+        for value in given:
+            if type(value) is not np.ndarray:
+                return super().call(state, inputs)
         key = (*inputs, *[(value.shape, value.dtype) for value in given])
-        if key not in self._plans:
-            self._plan(key, state, inputs, given)
-        plan, order = self._plans.get(key, (None, ()))
-        if plan is None:
-            return super().call(state, inputs)
+        known = self._plans.get(key)
+        if known is None:
+            return self._first(key, state, inputs, given)
+        plan, order = known
         arrays = [given[place] for place in order]
         return self.result(plan.run(arrays, None), arrays)
 
-    def _plan(
+    def _first(
         self,
         key: tuple[Any, ...],
         state: Sequence[Any],
         inputs: Mapping[str, Any],
         given: Sequence[Array],
-    ) -> None:
-        """Keeps what was decided for arrays that need no conversion."""
+    ) -> Any:
+        """The first call for some types and shapes: keeps its plan if it converts nothing."""
         arrays = self.prepare(collect(self.signature, state, inputs))
-        places = {id(array): place for place, array in enumerate(given)}
-        if not all(id(array) in places for array in arrays) or len(places) < len(given):
-            return
         plan = self._blocks.plan(Part.ALL, arrays, measure(self.signature, arrays))
-        if len(self._plans) >= _MOST_PLANS:
-            self._plans.clear()
-        self._plans[key] = plan, [places[id(array)] for array in arrays]
+        places = {id(array): place for place, array in enumerate(given)}
+        if len(places) == len(given) and places.keys() == {id(array) for array in arrays}:
+            if len(self._plans) >= _MOST_PLANS:
+                self._plans.clear()
+            self._plans[key] = plan, [places[id(array)] for array in arrays]
+        return self.result(plan.run(arrays, None), arrays)
 
     def evaluate(
         self, part: Part, arrays: Sequence[Array], extent: Extent, out: list[Array] | None

@@ -140,6 +140,11 @@ def _place(layout: Layout, rows: Sequence[Any], elements: Elements) -> Sequence[
     return placed
 
 
+def block_length(items: int | None) -> int:
+    """How many epochs are evaluated at once."""
+    return max(min(LENGTH, ITEMS_LENGTH // max(1, items or 1)), SHORTEST)
+
+
 class Plan(NamedTuple):
     """What the types and shapes of the arguments decide about a call.
 
@@ -150,8 +155,8 @@ class Plan(NamedTuple):
         layouts: one for every output of it.
         reference: the item that is subtracted from the others, if any.
         extent: leading axes and items.
-        length: epochs in a block.
         real: type of the outputs.
+        shapes: of every output, whole and with a single leading and a single trailing axis.
         leads: for every argument the leading axes it is broadcast to, if any, and its shape with
             a single one.
         shared: tables of what all epochs share.
@@ -164,8 +169,8 @@ class Plan(NamedTuple):
     layouts: Sequence[Layout]
     reference: int | None
     extent: Extent
-    length: int
     real: Any
+    shapes: Sequence[tuple[tuple[int, ...], tuple[int, ...]]]
     leads: Sequence[tuple[tuple[int, ...] | None, tuple[int, ...]]]
     shared: Sequence[Table]
     own: Sequence[Table]
@@ -174,33 +179,26 @@ class Plan(NamedTuple):
         """Evaluates block by block."""
         batch, items = self.extent
         count = math.prod(batch)
-        left = items if items is None or self.reference is None else items - 1
-        lead = [(*_own(layout, left),) for layout in self.layouts]
-        outputs: list[Array] = out or [
-            np.empty(batch + axes + layout.shape, dtype=self.real)
-            for layout, axes in zip(self.layouts, lead, strict=True)
-        ]
+        outputs: list[Array] = out or [np.empty(whole, dtype=self.real) for whole, _ in self.shapes]
         results = [
-            array.reshape((count, *axes, layout.size))
-            for layout, axes, array in zip(self.layouts, lead, outputs, strict=True)
+            array if array.shape == flat else array.reshape(flat)
+            for array, (_, flat) in zip(outputs, self.shapes, strict=True)
         ]
         status: Array = np.zeros(count, dtype=np.uint8)
         item_status: Array = np.zeros((count, items or 0), dtype=np.uint8)
+        length = block_length(items)
         with np.errstate(all="ignore"):
-            source = Source(
-                self.function.signature, self._flat(arrays), self.real, self.shared, self.own
-            )
-            if count <= self.length:
+            source = Source(self.function.signature, self._flat(arrays), self.real, self.shared)
+            if count <= length:
                 self._block(source, slice(None), results, status, item_status, out is None)
             else:
-                for start in range(0, count, self.length):
-                    own = slice(start, min(start + self.length, count))
+                for start in range(0, count, length):
+                    own = slice(start, min(start + length, count))
                     found = [result[own] for result in results]
                     self._block(source, own, found, status[own], item_status[own], out is None)
         verdict = Status(int(status[0])) if batch == () else status.reshape(batch)
-        if items is None:
-            return Evaluation(outputs, verdict, None)
-        return Evaluation(outputs, verdict, item_status.reshape((*batch, items)))
+        own_status = None if items is None else item_status.reshape((*batch, items))
+        return Evaluation(outputs, verdict, own_status)
 
     def _flat(self, arrays: Sequence[Array]) -> dict[str, Array]:
         """Arguments with one leading axis, of length one where all epochs share them."""
@@ -224,7 +222,7 @@ class Plan(NamedTuple):
     ) -> None:
         """Fills in the outputs and the status of some epochs."""
         guards = BlockGuards(self.real)
-        elements = source.read(epochs, guards)
+        elements = source.read(self.own, epochs, guards)
         signature = self.function.signature
         space = ComplexStep(np) if self.real.kind == "c" else np
         found = run(signature, self.kernel, space, guards, elements)
@@ -322,7 +320,11 @@ class Blocks:
         real = self._function.real
         if any(array.dtype.kind == "c" for array in arrays):
             real = np.result_type(real, *(a.dtype for a in arrays if a.dtype.kind == "c"))
-        length = max(min(LENGTH, ITEMS_LENGTH // max(1, items or 1)), SHORTEST)
+        layouts = self._layouts[part]
+        left = items if items is None or reference is None else items - 1
+        shapes = [
+            ((*batch, *_own(o, left), *o.shape), (count, *_own(o, left), o.size)) for o in layouts
+        ]
         leads: list[tuple[tuple[int, ...] | None, tuple[int, ...]]] = []
         shared = []
         for argument, array in zip(self._signature.arguments, arrays, strict=True):
@@ -336,8 +338,8 @@ class Blocks:
         if key not in self._tables:
             self._tables[key] = self._grouped(key)
         return Plan(
-            self._function, self._kernel, part, self._layouts[part], reference, extent, length,
-            real, leads, *self._tables[key],
+            self._function, self._kernel, part, layouts, reference, extent, real, shapes, leads,
+            *self._tables[key],
         )  # fmt: skip
 
     def _grouped(self, shared: Sequence[bool]) -> tuple[list[Table], list[Table]]:

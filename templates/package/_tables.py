@@ -1,7 +1,7 @@
 """Arguments of many epochs as rows of elements, and their guards.
 
-Guards compare the smallest and the largest of every row with its range; only where one is outside
-are the elements looked at one by one.
+Guards compare the smallest and the largest of every row with its range, and so for defects of
+norms; only where one is outside are the elements looked at one by one.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ _ROUNDING = 1e-14
 _GAP = 8
 _IDENTITY = np.eye(2)[:, :, None]
 _FINE = np.zeros((), dtype=np.uint8)
-_NORMED = (Kind.QUATERNION, Kind.MATRIX)
+_NORMED = {Kind.QUATERNION: 1, Kind.MATRIX: 7}
 
 
 class BlockGuards(Guards):
@@ -83,22 +83,23 @@ def _check(argument: Argument, domain: Domain, guarded: bool) -> _Check:
 class Table:
     """Where the elements of some arguments with the same axes stand, one row for each.
 
-    Rows whose range is looked at come first. Elements that the function does not read have none.
+    The defects of norms come first, then rows whose range is looked at, then the others. Elements
+    that the function does not read have no row.
     """
 
     def __init__(self, arguments: Sequence[Argument], guarded: bool) -> None:
-        self._low: list[float] = []
-        self._high: list[float] = []
-        self._norms: list[tuple[Kind, slice, float]] = []
-        self._cuts: list[tuple[str, bool, slice]] = []
-        self._height = 0
-        rows = {argument.name: [-1] * argument.size for argument in arguments}
         domains = [
             (_check(argument, domain, guarded), argument, domain)
             for argument in arguments
             for domain in argument.domains
             if domain.kind is not Kind.UNREAD
         ]
+        self._low: list[float] = []
+        self._high: list[float] = []
+        self._norms: list[tuple[Kind, slice, slice]] = []
+        self._cuts: list[tuple[str, bool, slice]] = []
+        self._defects = self._height = sum(_defect_rows(check, d) for check, _, d in domains)
+        rows = {argument.name: [-1] * argument.size for argument in arguments}
         for check, argument, domain in sorted(domains, key=itemgetter(0)):
             first, self._height = self._height, self._height + domain.size
             own = slice(domain.start, domain.start + domain.size)
@@ -107,11 +108,21 @@ class Table:
             if check is _Check.RANGE:
                 self._low += [max(bound, -_LARGEST) for bound in domain.lower]
                 self._high += [min(bound, _LARGEST) for bound in domain.upper]
-            if check is not _Check.NOTHING and domain.kind in _NORMED:
-                self._norms.append((domain.kind, slice(first, self._height), domain.tolerance))
+            if _defect_rows(check, domain):
+                self._norm(domain, _defect_rows(check, domain), slice(first, self._height))
         self._picks = [
             (argument.name, _picker(argument, rows[argument.name])) for argument in arguments
         ]
+
+    def _norm(self, domain: Domain, count: int, own: slice) -> None:
+        """Notes a norm and the bounds of its defects, in front of those of ranges."""
+        at = sum(found.stop - found.start for _, _, found in self._norms)
+        self._norms.append((domain.kind, own, slice(at, at + count)))
+        # Good norms bound the elements as well. What is close to the tolerance is left to a closer
+        # look, which costs nothing but time.
+        limit = domain.tolerance / 2.0 - _ROUNDING
+        self._low[at:at] = [-limit] * count
+        self._high[at:at] = [limit] * count
 
     def _cut(self, argument: Argument, own: slice) -> None:
         """Notes which elements come next, in as few pieces as there are."""
@@ -122,8 +133,8 @@ class Table:
                 del self._cuts[-1]
         self._cuts.append((argument.name, argument.scalar, own))
 
-    def read(self, arrays: Mapping[str, Array], own: slice, real: Any) -> tuple[Elements, bool]:
-        """The elements of some epochs by argument, and whether all of them pass."""
+    def read(self, arrays: Mapping[str, Array], own: slice, real: Any, elements: Elements) -> bool:
+        """Adds the elements of some epochs by argument; True when all of them pass."""
         parts = []
         for name, scalar, cut in self._cuts:
             turned = arrays[name][own].T
@@ -136,20 +147,21 @@ class Table:
             # Rows a power of two apart would share a few sets of the cache.
             flat: Array = np.empty((self._height, length + _GAP), dtype=real)[:, :length]
             table = flat.reshape((self._height, *shape))
-            np.concatenate(parts, out=table)
+            np.concatenate(parts, out=table[self._defects :])
             rows = [*table, None]
-            passed = not length or self._passes(flat.real)
-        return {name: pick(rows) for name, pick in self._picks}, passed
+            passed = not (length and self._low) or self._passes(flat.real)
+        for name, pick in self._picks:
+            elements[name] = pick(rows)
+        return passed
 
     def _passes(self, rows: Array) -> bool:
-        """True when all numbers are inside their ranges, and all norms are good."""
-        ranged = rows[: len(self._low)]
-        if self._low and not (
-            all(map(le, self._low, np.minimum.reduce(ranged, axis=1).tolist()))
-            and all(map(le, np.maximum.reduce(ranged, axis=1).tolist(), self._high))
-        ):
-            return False
-        return all(_normal(kind, rows[own], tolerance) for kind, own, tolerance in self._norms)
+        """True when all norms are good and all numbers are inside their ranges."""
+        for kind, own, found in self._norms:
+            _DEFECTS[kind](rows[own], rows[found])
+        checked = rows[: len(self._low)]
+        return all(map(le, self._low, np.minimum.reduce(checked, axis=1).tolist())) and all(
+            map(le, np.maximum.reduce(checked, axis=1).tolist(), self._high)
+        )
 
 
 def _picker(argument: Argument, places: Sequence[int]) -> Callable[[Sequence[Any]], Any]:
@@ -162,37 +174,34 @@ def _picker(argument: Argument, places: Sequence[int]) -> Callable[[Sequence[Any
     return lambda rows: [rows[places[0]]]
 
 
-def _normal(kind: Kind, rows: Array, tolerance: float) -> bool:
-    """True when all norms are so good that the elements are inside their ranges as well.
-
-    What is close to the tolerance is left to a closer look, which costs nothing but time.
-    """
-    limit = tolerance / 2.0 - _ROUNDING
-    if kind is Kind.QUATERNION:
-        norms = np.einsum("ij,ij->j", rows, rows)
-        lowest, highest = np.minimum.reduce(norms), np.maximum.reduce(norms)
-        return bool(1.0 - limit <= lowest and highest <= 1.0 + limit)
-    defects = _matrix_defects(rows)
-    lowest, highest = np.minimum.reduce(defects, axis=None), np.maximum.reduce(defects, axis=None)
-    return bool(-limit <= lowest and highest <= limit)
+def _quaternion_defects(rows: Array, out: Array) -> None:
+    """The square of the norm less one."""
+    w, x, y, z = rows
+    np.subtract(w * w + x * x + y * y + z * z, 1.0, out=out[0])
 
 
-def _matrix_defects(rows: Array) -> Array:
+def _matrix_defects(rows: Array, out: Array) -> None:
     """The defects of ``norm_defects``, with signs and in as few calls as there are: seven rows."""
-    defects: Array = np.empty((7, rows.shape[1]))
     pair = rows.reshape((3, 3, -1))[:, :2]
-    products = np.einsum("ijn,ikn->jkn", pair, pair, out=defects[:4].reshape((2, 2, -1)))
+    products = np.einsum("ijn,ikn->jkn", pair, pair, out=out[:4].reshape((2, 2, -1)))
     products -= _IDENTITY
     # With the rows once more behind them, every third one from any start is a rotated column.
     again = np.concatenate((rows, rows[:5]))
-    cross = np.multiply(again[3:10:3], again[7:14:3], out=defects[4:])
+    cross = np.multiply(again[3:10:3], again[7:14:3], out=out[4:])
     cross -= again[6:13:3] * again[4:11:3]
     cross -= rows[2::3]
-    return defects
+
+
+_DEFECTS = {Kind.QUATERNION: _quaternion_defects, Kind.MATRIX: _matrix_defects}
+
+
+def _defect_rows(check: _Check, domain: Domain) -> int:
+    """How many rows the defects of a domain take."""
+    return 0 if check is _Check.NOTHING else _NORMED.get(domain.kind, 0)
 
 
 class Source:
-    """The arguments of one call."""
+    """The arguments of one call; those that all epochs share are read once."""
 
     def __init__(
         self,
@@ -200,23 +209,18 @@ class Source:
         arrays: Mapping[str, Array],
         real: Any,
         shared: Sequence[Table],
-        own: Sequence[Table],
     ) -> None:
-        self._signature, self._arrays, self._real, self._own = signature, arrays, real, own
+        self._signature, self._arrays, self._real = signature, arrays, real
         self._elements: Elements = {}
         self._passed = True
         for table in shared:
-            elements, passed = table.read(arrays, slice(0, 1), real)
-            self._elements |= elements
-            self._passed &= passed
+            self._passed &= table.read(arrays, slice(0, 1), real, self._elements)
 
-    def read(self, epochs: slice, guards: BlockGuards) -> Elements:
+    def read(self, own: Sequence[Table], epochs: slice, guards: BlockGuards) -> Elements:
         """The elements of some epochs; the guards look closely where any of them is bad."""
         found, passed = dict(self._elements), self._passed
-        for table in self._own:
-            elements, fine = table.read(self._arrays, epochs, self._real)
-            found |= elements
-            passed &= fine
+        for table in own:
+            passed &= table.read(self._arrays, epochs, self._real, found)
         if not passed:
             guards.noted = True
             for argument in self._signature.arguments:
