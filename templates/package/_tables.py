@@ -175,7 +175,7 @@ def _picker(argument: Argument, places: Sequence[int]) -> Callable[[Sequence[Any
 
 
 def _quaternion_defects(rows: Array, out: Array) -> None:
-    """The square of the norm less one."""
+    """The defect of ``norm_defects`` with its sign: the square of the norm less one."""
     w, x, y, z = rows
     np.subtract(w * w + x * x + y * y + z * z, 1.0, out=out[0])
 
