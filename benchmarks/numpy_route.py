@@ -13,7 +13,8 @@ Every row is one call, interleaved with the others of its size in one process:
   out; nothing is taken apart, put together or guarded.
 - ``lambdify_matrices``: ``lambdify`` of a vector and a matrix, as it is usually written; one epoch
   only, since its results cannot be broadcast.
-- ``jax``: the package's NumPy back end under ``jax.jit``; ``jax_lambdify``: the flat function.
+- ``jax``: the package's NumPy back end under ``jax.jit``; ``jax_lambdify``: the flat function. They
+  take turns among themselves, since JAX's threads stay awake for a while.
 """
 
 from __future__ import annotations
@@ -70,10 +71,15 @@ def measure(problem: Problem, folder: Path, repetitions: int) -> dict[str, dict[
     found = {}
     for epochs in SIZES:
         chosen = np.resize(drawn, (epochs, problem.record)) if epochs > 1 else drawn[0]
-        found[str(epochs)] = python_calls.timed(
-            {name: (call, epochs) for name, call in ways(problem, function, unguarded, chosen)},
-            repetitions,
-        )
+        named = dict(ways(problem, function, unguarded, chosen))
+        found[str(epochs)] = {
+            name: time
+            for jax in (False, True)
+            for name, time in python_calls.timed(
+                {n: (call, epochs) for n, call in named.items() if n.startswith("jax") is jax},
+                repetitions,
+            ).items()
+        }
     return found
 
 

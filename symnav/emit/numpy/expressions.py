@@ -161,18 +161,11 @@ def _(expression: ir.Call, scope: Scope) -> Text:
         return operands[1] if operands[0].number else operands[2]
     if all(operand.number is not None for operand in operands):
         return number(_NUMBERS[operation](*(operand.number for operand in operands)))
-    if operation is Operation.MUL and _doubles(*operands):
-        # The same number, and quicker: a sum of two arrays has no number to convert.
-        return _infix(Operation.ADD, operands[1], operands[1])
     if operation in _INFIX:
         return _infix(operation, *operands)
     if operation is Operation.NEG:
         return Text(f"-{operands[0].within(Level.ATOM)}", Level.SIGN)
     return Text(f"xp.{_NAMESPACE[operation]}({', '.join(_parameters(operation, operands))})")
-
-
-def _doubles(left: Text, right: Text) -> bool:
-    return left.number == 2.0 and right.level is Level.ATOM and right.text.isidentifier()
 
 
 def _infix(operation: ir.Operation, left: Text, right: Text) -> Text:
