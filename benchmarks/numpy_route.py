@@ -2,7 +2,8 @@
 
 usage: python benchmarks/numpy_route.py [--json FILE] [--only MODEL,...] [--repetitions N]
 
-Every row is one call, interleaved with the others of its size in one process:
+Every row is one call, interleaved with the others of its size in one process. NumPy's are timed by
+the processor time of their thread, which other work on the machine disturbs least:
 
 - ``numpy``: the package's NumPy back end as it is shipped. Arrays in, value and dense Jacobian as
   arrays out, every argument guarded.
@@ -14,7 +15,7 @@ Every row is one call, interleaved with the others of its size in one process:
 - ``lambdify_matrices``: ``lambdify`` of a vector and a matrix, as it is usually written; one epoch
   only, since its results cannot be broadcast.
 - ``jax``: the package's NumPy back end under ``jax.jit``; ``jax_lambdify``: the flat function. They
-  take turns among themselves, since JAX's threads stay awake for a while.
+  take turns among themselves and are timed by the clock on the wall: JAX has threads of its own.
 """
 
 from __future__ import annotations
@@ -24,6 +25,7 @@ import importlib
 import json
 import sys
 import tempfile
+import time
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
@@ -73,11 +75,12 @@ def measure(problem: Problem, folder: Path, repetitions: int) -> dict[str, dict[
         chosen = np.resize(drawn, (epochs, problem.record)) if epochs > 1 else drawn[0]
         named = dict(ways(problem, function, unguarded, chosen))
         found[str(epochs)] = {
-            name: time
+            name: ns
             for jax in (False, True)
-            for name, time in python_calls.timed(
+            for name, ns in python_calls.timed(
                 {n: (call, epochs) for n, call in named.items() if n.startswith("jax") is jax},
                 repetitions,
+                time.perf_counter_ns if jax else time.thread_time_ns,
             ).items()
         }
     return found
