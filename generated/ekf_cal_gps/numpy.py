@@ -204,8 +204,7 @@ def _local_kernel(xp: Any, guards: _arrays.Guards, x: Any, y: Any) -> _arrays.No
     del attitude_log_of_w, attitude_log_safe_squared, attitude_log_sine_squared
     del attitude_log_tangent_squared, attitude_log_w, attitude_log_sine
     attitude_log_scale = (
-        xp.where(s0, (attitude_log_series + attitude_log_series) / attitude_log_cosine,
-        attitude_log_far)
+        xp.where(s0, 2.0 * attitude_log_series / attitude_log_cosine, attitude_log_far)
     )
     attitude_log_signed_scale = attitude_log_scale * attitude_log_sign
     del s0, attitude_log_cosine, attitude_log_series, attitude_log_far, attitude_log_sign
@@ -254,9 +253,9 @@ def _gps_kernel(xp: Any, guards: _arrays.Guards, x: Any, measured: Any) -> _arra
     measured_x = measured[0]
     measured_y = measured[1]
     measured_z = measured[2]
-    attitude_twice_x = attitude_x + attitude_x
-    attitude_twice_y = attitude_y + attitude_y
-    attitude_twice_z = attitude_z + attitude_z
+    attitude_twice_x = 2.0 * attitude_x
+    attitude_twice_y = 2.0 * attitude_y
+    attitude_twice_z = 2.0 * attitude_z
     attitude_twice_xx = attitude_twice_x * attitude_x
     attitude_twice_yy = attitude_twice_y * attitude_y
     attitude_twice_zz = attitude_twice_z * attitude_z
@@ -328,9 +327,9 @@ def _gps_known_antenna_kernel(
     measured_x = measured[0]
     measured_y = measured[1]
     measured_z = measured[2]
-    attitude_twice_x = attitude_x + attitude_x
-    attitude_twice_y = attitude_y + attitude_y
-    attitude_twice_z = attitude_z + attitude_z
+    attitude_twice_x = 2.0 * attitude_x
+    attitude_twice_y = 2.0 * attitude_y
+    attitude_twice_z = 2.0 * attitude_z
     attitude_twice_xx = attitude_twice_x * attitude_x
     attitude_twice_yy = attitude_twice_y * attitude_y
     attitude_twice_zz = attitude_twice_z * attitude_z
@@ -450,21 +449,21 @@ def _local_fix_kernel(
     height_change = fix_height - reference_height
     s8 = fix_height + normal
     axis_distance = cos_latitude * s8
-    s9 = s_half + s_half
+    s9 = 2.0 * s_half
     s10 = s9 * s_mean
     outward = cos_reference * (height_change + normal_change) - s10 * s8
     c_half_lon = xp.cos(half_longitude_change)
     s_half_lon = xp.sin(half_longitude_change)
     s11 = s_half_lon * s_half_lon
     sagitta = axis_distance * s11
-    inward = outward - (sagitta + sagitta)
+    inward = outward - 2.0 * sagitta
     del inverse_w, half_latitude_change, mean_latitude, sine_product, half_longitude_change
     del outward, sagitta
     polar_normal = fix_height + 0.9933056200098587 * normal
     s12 = polar_normal * s9
     rise = c_mean * s12 + sin_reference * (height_change + 0.9933056200098587 * normal_change)
     north = cos_reference * rise - inward * sin_reference
-    s13 = s_half_lon + s_half_lon
+    s13 = 2.0 * s_half_lon
     s14 = axis_distance * s13
     east = c_half_lon * s14
     up = cos_reference * inward + rise * sin_reference
@@ -479,7 +478,7 @@ def _local_fix_kernel(
     del north, up, level_position_x, level_position_y, level_position_z, s12
     rise_by_normal_change = 0.9933056200098587 * sin_reference
     rise_by_polar_normal = c_mean * s9
-    rise_by_s_half = (c_mean + c_mean) * polar_normal
+    rise_by_s_half = 2.0 * c_mean * polar_normal
     inverse_w_by_w = -(1.0 / (w * w))
     w_by_w_squared = 0.5 / s2
     w_deficit_by_sin_latitude = 0.013388759980282635 * sin_latitude
@@ -494,7 +493,7 @@ def _local_fix_kernel(
     outward_by_s_mean = -(s8 * s9)
     del w_reference, s5, s6, s10, s8, s9
     east_by_axis_distance = c_half_lon * s13
-    east_by_s_half_lon = (axis_distance + axis_distance) * c_half_lon
+    east_by_s_half_lon = 2.0 * axis_distance * c_half_lon
     c_half_by_fix_x = -0.5 * s_half
     c_half_lon_by_fix_y = -0.5 * s_half_lon
     c_mean_by_fix_x = -0.5 * s_mean
@@ -554,13 +553,13 @@ def _local_fix_kernel(
     del c_half_lon_by_fix_y, east_by_fix_y
     sagitta_by_axis_distance = s11
     sagitta_by_fix_x = axis_distance_by_fix_x_2 * sagitta_by_axis_distance
-    inward_by_fix_x = outward_by_fix_x_4 - (sagitta_by_fix_x + sagitta_by_fix_x)
+    inward_by_fix_x = outward_by_fix_x_4 - 2.0 * sagitta_by_fix_x
     sagitta_by_fix_y = s_half_lon_by_fix_y * sagitta_by_s_half_lon
     del s11, axis_distance_by_fix_x_2, outward_by_fix_x_4, sagitta_by_fix_x, s_half_lon_by_fix_y
     del sagitta_by_s_half_lon
     inward_by_fix_y = -2.0 * sagitta_by_fix_y
     sagitta_by_fix_z = cos_latitude * sagitta_by_axis_distance
-    inward_by_fix_z = outward_by_fix_z_2 - (sagitta_by_fix_z + sagitta_by_fix_z)
+    inward_by_fix_z = outward_by_fix_z_2 - 2.0 * sagitta_by_fix_z
     up_by_fix_x = cos_reference * inward_by_fix_x
     up_by_fix_y = cos_reference * inward_by_fix_y
     up_by_fix_z = cos_reference * inward_by_fix_z

@@ -167,9 +167,7 @@ def _local_kernel(xp: Any, guards: _arrays.Guards, x: Any, y: Any) -> _arrays.No
     drho_log_far = 2.0 * xp.atan2(drho_log_sine, drho_log_w) / drho_log_sine
     del drho_log_of_w, drho_log_safe_squared, drho_log_sine_squared, drho_log_tangent_squared
     del drho_log_w, drho_log_sine
-    drho_log_scale = (
-        xp.where(s0, (drho_log_series + drho_log_series) / drho_log_cosine, drho_log_far)
-    )
+    drho_log_scale = xp.where(s0, 2.0 * drho_log_series / drho_log_cosine, drho_log_far)
     drho_log_signed_scale = drho_log_scale * drho_log_sign
     del s0, drho_log_cosine, drho_log_series, drho_log_far, drho_log_sign, drho_log_scale
     return (
@@ -303,9 +301,9 @@ def _pseudorange_lever_arm_kernel(
     lever_arm_x = lever_arm[0]
     lever_arm_y = lever_arm[1]
     lever_arm_z = lever_arm[2]
-    drho_twice_x = drho_x + drho_x
-    drho_twice_y = drho_y + drho_y
-    drho_twice_z = drho_z + drho_z
+    drho_twice_x = 2.0 * drho_x
+    drho_twice_y = 2.0 * drho_y
+    drho_twice_z = 2.0 * drho_z
     drho_twice_xx = drho_twice_x * drho_x
     drho_twice_yy = drho_twice_y * drho_y
     drho_twice_zz = drho_twice_z * drho_z

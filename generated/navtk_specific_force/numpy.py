@@ -174,8 +174,7 @@ def _local_kernel(xp: Any, guards: _arrays.Guards, x: Any, y: Any) -> _arrays.No
     del attitude_log_of_w, attitude_log_safe_squared, attitude_log_sine_squared
     del attitude_log_tangent_squared, attitude_log_w, attitude_log_sine
     attitude_log_scale = (
-        xp.where(s0, (attitude_log_series + attitude_log_series) / attitude_log_cosine,
-        attitude_log_far)
+        xp.where(s0, 2.0 * attitude_log_series / attitude_log_cosine, attitude_log_far)
     )
     attitude_log_signed_scale = attitude_log_scale * attitude_log_sign
     del s0, attitude_log_cosine, attitude_log_series, attitude_log_far, attitude_log_sign
@@ -323,9 +322,9 @@ def _force_kernel(
     delta_velocity_x = delta_velocity[0]
     delta_velocity_y = delta_velocity[1]
     delta_velocity_z = delta_velocity[2]
-    attitude_twice_x = attitude_x + attitude_x
-    attitude_twice_y = attitude_y + attitude_y
-    attitude_twice_z = attitude_z + attitude_z
+    attitude_twice_x = 2.0 * attitude_x
+    attitude_twice_y = 2.0 * attitude_y
+    attitude_twice_z = 2.0 * attitude_z
     attitude_twice_xx = attitude_twice_x * attitude_x
     attitude_twice_yy = attitude_twice_y * attitude_y
     attitude_twice_zz = attitude_twice_z * attitude_z

@@ -204,8 +204,7 @@ def _local_kernel(xp: Any, guards: _arrays.Guards, x: Any, y: Any) -> _arrays.No
     del attitude_log_of_w, attitude_log_safe_squared, attitude_log_sine_squared
     del attitude_log_tangent_squared, attitude_log_w, attitude_log_sine
     attitude_log_scale = (
-        xp.where(s0, (attitude_log_series + attitude_log_series) / attitude_log_cosine,
-        attitude_log_far)
+        xp.where(s0, 2.0 * attitude_log_series / attitude_log_cosine, attitude_log_far)
     )
     attitude_log_signed_scale = attitude_log_scale * attitude_log_sign
     del s0, attitude_log_cosine, attitude_log_series, attitude_log_far, attitude_log_sign
@@ -251,9 +250,9 @@ def _gps_kernel(xp: Any, guards: _arrays.Guards, x: Any) -> _arrays.Nonzeros:
     antenna_x = x[16]
     antenna_y = x[17]
     antenna_z = x[18]
-    attitude_twice_x = attitude_x + attitude_x
-    attitude_twice_y = attitude_y + attitude_y
-    attitude_twice_z = attitude_z + attitude_z
+    attitude_twice_x = 2.0 * attitude_x
+    attitude_twice_y = 2.0 * attitude_y
+    attitude_twice_z = 2.0 * attitude_z
     attitude_twice_xx = attitude_twice_x * attitude_x
     attitude_twice_yy = attitude_twice_y * attitude_y
     attitude_twice_zz = attitude_twice_z * attitude_z
@@ -330,9 +329,9 @@ def _range_kernel(
     origin_x = origin[0]
     origin_y = origin[1]
     origin_z = origin[2]
-    attitude_twice_x = attitude_x + attitude_x
-    attitude_twice_y = attitude_y + attitude_y
-    attitude_twice_z = attitude_z + attitude_z
+    attitude_twice_x = 2.0 * attitude_x
+    attitude_twice_y = 2.0 * attitude_y
+    attitude_twice_z = 2.0 * attitude_z
     attitude_twice_xx = attitude_twice_x * attitude_x
     attitude_twice_yy = attitude_twice_y * attitude_y
     attitude_twice_zz = attitude_twice_z * attitude_z
@@ -356,9 +355,9 @@ def _range_kernel(
     attitude_22 = 1.0 - attitude_twice_xx - attitude_twice_yy
     del s0, attitude_twice_xz, attitude_twice_wy, attitude_twice_yz, attitude_twice_wx
     del attitude_twice_xx, attitude_twice_yy
-    nav_to_ecef_twice_x = nav_to_ecef_x + nav_to_ecef_x
-    nav_to_ecef_twice_y = nav_to_ecef_y + nav_to_ecef_y
-    nav_to_ecef_twice_z = nav_to_ecef_z + nav_to_ecef_z
+    nav_to_ecef_twice_x = 2.0 * nav_to_ecef_x
+    nav_to_ecef_twice_y = 2.0 * nav_to_ecef_y
+    nav_to_ecef_twice_z = 2.0 * nav_to_ecef_z
     nav_to_ecef_twice_xx = nav_to_ecef_twice_x * nav_to_ecef_x
     nav_to_ecef_twice_yy = nav_to_ecef_twice_y * nav_to_ecef_y
     nav_to_ecef_twice_zz = nav_to_ecef_twice_z * nav_to_ecef_z
@@ -522,9 +521,9 @@ def _imu_kernel(
     delta_velocity_3 = delta_velocity[3]
     delta_velocity_4 = delta_velocity[4]
     delta_velocity_5 = delta_velocity[5]
-    attitude_twice_x = attitude_x + attitude_x
-    attitude_twice_y = attitude_y + attitude_y
-    attitude_twice_z = attitude_z + attitude_z
+    attitude_twice_x = 2.0 * attitude_x
+    attitude_twice_y = 2.0 * attitude_y
+    attitude_twice_z = 2.0 * attitude_z
     attitude_twice_xx = attitude_twice_x * attitude_x
     attitude_twice_yy = attitude_twice_y * attitude_y
     attitude_twice_zz = attitude_twice_z * attitude_z

@@ -218,10 +218,10 @@ def _broadcast_orbit_kernel(
     lead_y = lead_ratio * sin_anomaly
     lead_x = 1.0 - cos_anomaly * lead_ratio
     lead = xp.atan2(lead_y, lead_x)
-    true_anomaly = eccentric_anomaly + (lead + lead)
+    true_anomaly = eccentric_anomaly + 2.0 * lead
     del mean_anomaly_now, anomaly_3, s0, sin_anomaly, eccentric_anomaly, lead
     latitude_argument = argument_of_perigee + true_anomaly
-    doubled_argument = latitude_argument + latitude_argument
+    doubled_argument = 2.0 * latitude_argument
     cos_doubled = xp.cos(doubled_argument)
     sin_doubled = xp.sin(doubled_argument)
     corrected_argument = latitude_argument + cos_doubled * cuc + cus * sin_doubled
@@ -272,8 +272,8 @@ def _broadcast_orbit_kernel(
     del sin_anomaly_clock, radius_by_cos_anomaly, cos_anomaly_by_time, cos_anomaly, lead_ratio
     del lead_by_lead_y, lead_y_by_time
     lead_by_time_2 = lead_by_time + lead_by_lead_x * lead_x_by_time
-    true_anomaly_by_time = eccentric_anomaly_by_time + (lead_by_time_2 + lead_by_time_2)
-    doubled_argument_by_time = true_anomaly_by_time + true_anomaly_by_time
+    true_anomaly_by_time = eccentric_anomaly_by_time + 2.0 * lead_by_time_2
+    doubled_argument_by_time = 2.0 * true_anomaly_by_time
     cos_doubled_by_time = -(doubled_argument_by_time * sin_doubled)
     del lead_by_lead_x, lead_x_by_time, lead_by_time, eccentric_anomaly_by_time, lead_by_time_2
     del sin_doubled

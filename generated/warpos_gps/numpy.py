@@ -156,9 +156,9 @@ def _observed_kernel(
     observer_attitude_x = observer_attitude[1]
     observer_attitude_y = observer_attitude[2]
     observer_attitude_z = observer_attitude[3]
-    observer_attitude_twice_x = observer_attitude_x + observer_attitude_x
-    observer_attitude_twice_y = observer_attitude_y + observer_attitude_y
-    observer_attitude_twice_z = observer_attitude_z + observer_attitude_z
+    observer_attitude_twice_x = 2.0 * observer_attitude_x
+    observer_attitude_twice_y = 2.0 * observer_attitude_y
+    observer_attitude_twice_z = 2.0 * observer_attitude_z
     observer_attitude_twice_xx = observer_attitude_twice_x * observer_attitude_x
     observer_attitude_twice_yy = observer_attitude_twice_y * observer_attitude_y
     observer_attitude_twice_zz = observer_attitude_twice_z * observer_attitude_z
@@ -220,9 +220,9 @@ def _observed_by_column_kernel(
     observer_attitude_x = observer_attitude[1]
     observer_attitude_y = observer_attitude[2]
     observer_attitude_z = observer_attitude[3]
-    observer_attitude_twice_x = observer_attitude_x + observer_attitude_x
-    observer_attitude_twice_y = observer_attitude_y + observer_attitude_y
-    observer_attitude_twice_z = observer_attitude_z + observer_attitude_z
+    observer_attitude_twice_x = 2.0 * observer_attitude_x
+    observer_attitude_twice_y = 2.0 * observer_attitude_y
+    observer_attitude_twice_z = 2.0 * observer_attitude_z
     observer_attitude_twice_xx = observer_attitude_twice_x * observer_attitude_x
     observer_attitude_twice_yy = observer_attitude_twice_y * observer_attitude_y
     observer_attitude_twice_zz = observer_attitude_twice_z * observer_attitude_z
@@ -312,9 +312,9 @@ def _to_state_frame_kernel(
     covariance_6 = covariance[6]
     covariance_7 = covariance[7]
     covariance_8 = covariance[8]
-    observer_attitude_twice_x = observer_attitude_x + observer_attitude_x
-    observer_attitude_twice_y = observer_attitude_y + observer_attitude_y
-    observer_attitude_twice_z = observer_attitude_z + observer_attitude_z
+    observer_attitude_twice_x = 2.0 * observer_attitude_x
+    observer_attitude_twice_y = 2.0 * observer_attitude_y
+    observer_attitude_twice_z = 2.0 * observer_attitude_z
     observer_attitude_twice_xx = observer_attitude_twice_x * observer_attitude_x
     observer_attitude_twice_yy = observer_attitude_twice_y * observer_attitude_y
     observer_attitude_twice_zz = observer_attitude_twice_z * observer_attitude_z
@@ -338,9 +338,9 @@ def _to_state_frame_kernel(
     observer_attitude_22 = 1.0 - observer_attitude_twice_xx - observer_attitude_twice_yy
     del s0, observer_attitude_twice_xz, observer_attitude_twice_wy, observer_attitude_twice_yz
     del observer_attitude_twice_wx, observer_attitude_twice_xx, observer_attitude_twice_yy
-    attitude_twice_x = attitude_x + attitude_x
-    attitude_twice_y = attitude_y + attitude_y
-    attitude_twice_z = attitude_z + attitude_z
+    attitude_twice_x = 2.0 * attitude_x
+    attitude_twice_y = 2.0 * attitude_y
+    attitude_twice_z = 2.0 * attitude_z
     attitude_twice_xx = attitude_twice_x * attitude_x
     attitude_twice_yy = attitude_twice_y * attitude_y
     attitude_twice_zz = attitude_twice_z * attitude_z
