@@ -2,17 +2,20 @@
 
 usage: python benchmarks/numpy_route.py [--json FILE] [--only MODEL,...] [--repetitions N]
 
-Every row is one call, interleaved with the others of its size in one process:
+Every row is one call, interleaved with the others of its size in one process. NumPy's are timed by
+the processor time of their thread, which other work on the machine disturbs least:
 
 - ``numpy``: the package's NumPy back end as it is shipped. Arrays in, value and dense Jacobian as
   arrays out, every argument guarded.
+- ``numpy_assume``: the same with ``guards = "assume"``, which guards nothing, as ``lambdify`` does.
 - ``lambdify_dense``: a flat list with ``cse=True``: the same arrays in, the same arrays out,
   nothing guarded. One epoch lists its zeros; many write column by column into zeros.
 - ``lambdify_flat``: the same function alone. Numbers or contiguous columns in, a list of results
   out; nothing is taken apart, put together or guarded.
 - ``lambdify_matrices``: ``lambdify`` of a vector and a matrix, as it is usually written; one epoch
   only, since its results cannot be broadcast.
-- ``jax``: the package's NumPy back end under ``jax.jit``; ``jax_lambdify``: the flat function.
+- ``jax``: the package's NumPy back end under ``jax.jit``; ``jax_lambdify``: the flat function. They
+  take turns among themselves and are timed by the clock on the wall: JAX has threads of its own.
 """
 
 from __future__ import annotations
@@ -22,9 +25,9 @@ import importlib
 import json
 import sys
 import tempfile
+import time
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
@@ -43,6 +46,7 @@ from symnav import pipeline
 SIZES = (1, 1024, 100_000)
 MODELS = ("gps", "ekfcal", "pr8", "pr32", "imu1", "imu4")
 AGREEMENT = 1e-12
+NAMED = 'name = "model"\n'
 
 
 def main() -> None:
@@ -63,24 +67,51 @@ def main() -> None:
 
 def measure(problem: Problem, folder: Path, repetitions: int) -> dict[str, dict[str, float]]:
     """Nanoseconds per epoch by number of epochs and by way."""
-    made = pipeline.generate(pipeline.load(problem.spec), folder / problem.name).package
-    package = pipeline.import_package(made)
+    function = imported(problem, folder / problem.name, assume=False)
+    unguarded = imported(problem, folder / f"{problem.name}_assume", assume=True)
     drawn = records(problem)
     found = {}
     for epochs in SIZES:
         chosen = np.resize(drawn, (epochs, problem.record)) if epochs > 1 else drawn[0]
-        found[str(epochs)] = python_calls.timed(
-            {name: (call, epochs) for name, call in ways(problem, package, chosen)}, repetitions
-        )
+        named = dict(ways(problem, function, unguarded, chosen))
+        found[str(epochs)] = {
+            name: ns
+            for jax in (False, True)
+            for name, ns in python_calls.timed(
+                {n: (call, epochs) for n, call in named.items() if n.startswith("jax") is jax},
+                repetitions,
+                time.perf_counter_ns if jax else time.thread_time_ns,
+            ).items()
+        }
     return found
 
 
-def ways(problem: Problem, package: ModuleType, chosen: Array) -> Iterator[tuple[str, Call]]:
+def imported(problem: Problem, folder: Path, *, assume: bool) -> Callable[..., Any]:
+    """The function of a package generated with guards or without."""
+    text = problem.spec.read_text(encoding="utf-8")
+    if assume:
+        text = text.replace(NAMED, f'{NAMED}guards = "assume"\n')
+        assert "assume" in text
+    folder.mkdir()
+    spec = folder / problem.spec.name
+    spec.write_text(text, encoding="utf-8")
+    package = pipeline.import_package(pipeline.generate(pipeline.load(spec), folder).package)
+    return getattr(package.numpy, FUNCTION)  # type: ignore[no-any-return]
+
+
+def ways(
+    problem: Problem,
+    function: Callable[..., Any],
+    unguarded: Callable[..., Any],
+    chosen: Array,
+) -> Iterator[tuple[str, Call]]:
     """Every way to evaluate one record or many; those that give the same arrays agree."""
-    function = getattr(package.numpy, FUNCTION)
     x, given = arguments(problem, chosen)
     expected = function(x, **given)
     yield "numpy", lambda: function(x, **given)
+    for own, other in zip(expected, unguarded(x, **given), strict=True):
+        assert np.array_equal(own, other)
+    yield "numpy_assume", lambda: unguarded(x, **given)
     dense = (one_dense if chosen.ndim == 1 else many_dense)(problem)
     parts = [x, *given.values()]
     for own, other in zip(expected, dense(*parts), strict=False):
@@ -177,9 +208,11 @@ def print_table(model: str, found: Mapping[str, Mapping[str, float]]) -> None:
     """The figures of one model, ns per epoch, with the ratio of the route to ``lambdify``."""
     print(f"\n{model}")
     for epochs, times in found.items():
-        dense, flat = (times["numpy"] / times[f"lambdify_{name}"] for name in ("dense", "flat"))
         cells = "  ".join(f"{name} {ns:.0f}" for name, ns in times.items())
-        print(f"  {epochs:>6}: {cells}   numpy/dense {dense:.2f}  numpy/flat {flat:.2f}")
+        print(f"  {epochs:>6}: {cells}")
+        for own in ("numpy", "numpy_assume"):
+            dense, flat = (times[own] / times[f"lambdify_{name}"] for name in ("dense", "flat"))
+            print(f"          {own} over dense {dense:.2f}, over flat {flat:.2f}")
     sys.stdout.flush()
 
 

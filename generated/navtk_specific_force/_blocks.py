@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import product
 from operator import itemgetter
 from typing import Any, NamedTuple
@@ -31,8 +32,11 @@ from ._runtime import (
 )
 from ._tables import BlockGuards, Elements, Source, Table
 
-#: Numbers in a row: less, and calls take longer than arithmetic; more, and the cache overflows.
+#: Most epochs in a block: less, and calls take longer than arithmetic; more, and the intermediate
+#: values of a function overflow the cache.
 LENGTH = 4096
+#: Most numbers in a row of items, of which there are fewer at a time.
+ITEMS_LENGTH = 8192
 #: Fewest epochs in a block, however many items: what items share has rows of this length.
 SHORTEST = 512
 
@@ -49,9 +53,10 @@ class Layout:
         shape: of one item, or of one epoch.
         size: elements of that.
         runs: first and last column (exclusive) of what is copied at once, short gaps included.
-        complete: True when the runs cover every column.
-        arrange: from non-zeros to one row, or number, for every column; None where some places
-            depend on a run-time index.
+        complete: True when one run covers every column.
+        movable: True where some places depend on a run-time index.
+        arrange: from the rows of the non-zeros, and one of zeros behind them, to one row for every
+            column; None where they are in order already.
     """
 
     output: Output
@@ -60,6 +65,7 @@ class Layout:
     size: int
     runs: tuple[tuple[int, int], ...]
     complete: bool
+    movable: bool
     arrange: Callable[[Sequence[Any]], Sequence[Any]] | None
 
 
@@ -79,20 +85,21 @@ def _layout(output: Output, number: int, part: Part) -> Layout:
         runs[0] = (0, runs[0][1])
     if runs and size - runs[-1][1] < _GAP:
         runs[-1] = (runs[-1][0], size)
-    arrange = None if part is Part.NONZEROS else _arrangement(output)
-    return Layout(output, number, shape, size, tuple(runs), runs == [(0, size)], arrange)
+    movable = part is not Part.NONZEROS and any(isinstance(p, Slot) for p in output.places)
+    arrange = None if part is Part.NONZEROS or movable else _arrangement(output)
+    complete = runs == [(0, size)]
+    return Layout(output, number, shape, size, tuple(runs), complete, movable, arrange)
 
 
 def _arrangement(output: Output) -> Callable[[Sequence[Any]], Sequence[Any]] | None:
-    """A function that spreads non-zeros over all columns, zeros between them."""
-    fixed = [place for place in output.places if not isinstance(place, Slot)]
-    if output.size < 2 or len(fixed) < len(output.places):
-        return None
-    sources = [len(fixed)] * output.size
-    for number, place in enumerate(fixed):
+    """A function that spreads the rows of non-zeros over all columns, zeros between them."""
+    sources = [len(output.places)] * output.size
+    for number, place in enumerate(output.places):
+        assert not isinstance(place, Slot)
         sources[place] = number
-    pick = itemgetter(*sources)
-    return lambda values: pick((*values, 0.0))
+    if sources == list(range(output.size)):
+        return None
+    return itemgetter(*sources) if output.size > 1 else lambda rows: [rows[sources[0]]]
 
 
 def _columns(output: Output) -> Iterator[int]:
@@ -104,40 +111,193 @@ def _columns(output: Output) -> Iterator[int]:
             yield place
 
 
-class Rows:
-    """Rows of numbers on their way to an output; constant ones are made once."""
+@lru_cache(maxsize=16)
+def _constant(value: float, shape: tuple[int, ...], real: Any) -> Array:
+    """A row of equal numbers, which nobody writes to."""
+    row = np.full(shape, value, dtype=real)
+    row.flags.writeable = False
+    return row
 
-    def __init__(self, shape: tuple[int, ...], real: Any) -> None:
-        self._shape, self._real = shape, real
-        self._constants: dict[float, Array] = {}
 
-    def _whole(self, value: Any) -> Array:
-        """A row of its full length from a number, or from an array that broadcasts to it."""
-        if isinstance(value, np.ndarray):
-            row = np.empty(self._shape, dtype=self._real)
-            row[...] = value
-            return row
-        found = self._constants.get(value)
-        if found is None:
-            found = self._constants[value] = np.full(self._shape, value, dtype=self._real)
-        return found
+def _whole(value: Any, shape: tuple[int, ...], real: Any) -> Array:
+    """A row of its full length from a number, or from an array that broadcasts to it."""
+    if isinstance(value, np.ndarray):
+        return np.broadcast_to(value, shape)
+    return _constant(value, shape, real)
 
-    def store(self, layout: Layout, rows: Sequence[Any], target: Array) -> None:
-        """Writes the rows of some epochs, (epochs, items if any, elements)."""
-        shape = self._shape
-        if not layout.complete:
-            target.fill(0.0)
+
+def _place(layout: Layout, rows: Sequence[Any], elements: Elements) -> Sequence[Any]:
+    """One row, or number, for every column of an output where some places depend on an index."""
+    placed: list[Any] = [0.0] * layout.size
+    for row, place in zip(rows, layout.output.places, strict=True):
+        if isinstance(place, Slot):
+            index = elements[place.argument]
+            index = index if place.element is None else index[place.element]
+            for number, column in columns_of(place):
+                placed[column] = np.where(index == number, row, placed[column])
+        else:
+            placed[place] = row
+    return placed
+
+
+def block_length(items: int | None) -> int:
+    """How many epochs are evaluated at once."""
+    return max(min(LENGTH, ITEMS_LENGTH // max(1, items or 1)), SHORTEST)
+
+
+class Plan(NamedTuple):
+    """What the types and shapes of the arguments decide about a call.
+
+    Attributes:
+        function: masks what failed.
+        kernel: computes.
+        part: what is asked for.
+        layouts: one for every output of it.
+        reference: the item that is subtracted from the others, if any.
+        extent: leading axes and items.
+        real: type of the outputs.
+        shapes: of every output, whole and with a single leading and a single trailing axis.
+        leads: for every argument the leading axes it is broadcast to, if any, and its shape with
+            a single one.
+        shared: tables of what all epochs share.
+        own: tables of what each epoch has.
+    """
+
+    function: MaskedFunction
+    kernel: Kernel
+    part: Part
+    layouts: Sequence[Layout]
+    reference: int | None
+    extent: Extent
+    real: Any
+    shapes: Sequence[tuple[tuple[int, ...], tuple[int, ...]]]
+    leads: Sequence[tuple[tuple[int, ...] | None, tuple[int, ...]]]
+    shared: Sequence[Table]
+    own: Sequence[Table]
+
+    def run(self, arrays: Sequence[Array], out: list[Array] | None) -> Evaluation:
+        """Evaluates block by block."""
+        batch, items = self.extent
+        count = math.prod(batch)
+        outputs: list[Array] = out or [np.empty(whole, dtype=self.real) for whole, _ in self.shapes]
+        results = [
+            array if array.shape == flat else array.reshape(flat)
+            for array, (_, flat) in zip(outputs, self.shapes, strict=True)
+        ]
+        status: Array = np.zeros(count, dtype=np.uint8)
+        item_status: Array = np.zeros((count, items or 0), dtype=np.uint8)
+        length = block_length(items)
+        with np.errstate(all="ignore"):
+            source = Source(self.function.signature, self._flat(arrays), self.real, self.shared)
+            if count <= length:
+                self._block(source, slice(None), results, status, item_status, out is None)
+            else:
+                for start in range(0, count, length):
+                    own = slice(start, min(start + length, count))
+                    found = [result[own] for result in results]
+                    self._block(source, own, found, status[own], item_status[own], out is None)
+        verdict = Status(int(status[0])) if batch == () else status.reshape(batch)
+        own_status = None if items is None else item_status.reshape((*batch, items))
+        return Evaluation(outputs, verdict, own_status)
+
+    def _flat(self, arrays: Sequence[Array]) -> dict[str, Array]:
+        """Arguments with one leading axis, of length one where all epochs share them."""
+        flat = {}
+        for name, array, (wide, shape) in zip(
+            self.function.signature.names, arrays, self.leads, strict=True
+        ):
+            if array.shape != shape:
+                array = (array if wide is None else np.broadcast_to(array, wide)).reshape(shape)
+            flat[name] = array
+        return flat
+
+    def _block(
+        self,
+        source: Source,
+        epochs: slice,
+        results: Sequence[Array],
+        status: Array,
+        item_status: Array,
+        fresh: bool,
+    ) -> None:
+        """Fills in the outputs and the status of some epochs."""
+        guards = BlockGuards(self.real)
+        elements = source.read(self.own, epochs, guards)
+        signature = self.function.signature
+        space = ComplexStep(np) if self.real.kind == "c" else np
+        found = run(signature, self.kernel, space, guards, elements)
+        direct = not guards.noted and self.reference is None
+        whole = results if direct else self._room(*item_status.shape)
+        for layout, target in zip(self.layouts, whole, strict=True):
+            self._store(layout, found[layout.number], elements, target)
+        if not direct:
+            count, items = item_status.shape
+            noted = np.broadcast_to(guards.shared, (count,))
+            by_item = np.broadcast_to(guards.item, (items, count)).T if signature.mapped else None
+            computed = Computed(list(whole), noted, by_item)
+            self._settle(computed, results, status, item_status, fresh)
+
+    def _store(
+        self, layout: Layout, values: Sequence[Any], elements: Elements, target: Array
+    ) -> None:
+        """Puts the non-zeros of some epochs where they belong: (epochs, items if any, elements)."""
+        shape = target.shape[-2::-1]
+        real = self.real
+        if layout.movable:
+            values = _place(layout, values, elements)
+        rows: Sequence[Array] = [
+            row if type(row) is np.ndarray and row.shape == shape else _whole(row, shape, real)
+            for row in values
+        ]
+        if layout.arrange is not None:
+            rows = layout.arrange((*rows, _constant(0.0, shape, real)))
+        if layout.complete:
+            target[...] = np.concatenate(rows).reshape(target.shape[::-1]).T
+            return
+        target.fill(0.0)
         for start, stop in layout.runs:
-            parts = [
-                row if type(row) is np.ndarray and row.shape == shape else self._whole(row)
-                for row in rows[start:stop]
-            ]
-            joined = np.concatenate(parts).reshape((stop - start, *shape))
-            target[..., start:stop] = joined.T
+            joined = np.concatenate(rows[start:stop])
+            target[..., start:stop] = joined.reshape((stop - start, *shape)).T
+
+    def _room(self, count: int, items: int) -> list[Array]:
+        mapped = self.function.signature.mapped
+        shapes = ((count, *_own(o, items if mapped else None), o.size) for o in self.layouts)
+        return [np.empty(shape, dtype=self.real) for shape in shapes]
+
+    def _settle(
+        self,
+        computed: Computed,
+        results: Sequence[Array],
+        status: Array,
+        item_status: Array,
+        fresh: bool,
+    ) -> None:
+        """Masks what failed and puts the rest where it belongs; untouched or NaN where fresh."""
+        extent = Extent(status.shape, None if computed.item is None else item_status.shape[1])
+        outputs = [
+            array.reshape((*status.shape, *_own(layout, extent.items), *layout.shape))
+            for layout, array in zip(self.layouts, computed.outputs, strict=True)
+        ]
+        computed = computed._replace(outputs=outputs)
+        if self.reference is not None:
+            computed = self.function.differenced(np, computed, self.reference)
+        done = self.function.finish(np, self.part, computed, extent, None, self.reference)
+        status[...] = done.status
+        if done.item_status is not None:
+            item_status[...] = done.item_status
+        passed = (status == Status.OK) | (status == Status.PARTIAL) | fresh
+        for target, array in zip(results, done.outputs, strict=True):
+            where = passed.reshape(passed.shape + (1,) * (target.ndim - 1))
+            np.copyto(target, array.reshape(target.shape), where=where)
+
+
+def _own(layout: Layout, items: int | None) -> tuple[int, ...]:
+    """The item axis of an output, where it has one."""
+    return (items,) if items is not None and layout.output.item else ()
 
 
 class Blocks:
-    """Evaluates a function for NumPy's arrays."""
+    """Plans the evaluation of a function for NumPy's arrays."""
 
     def __init__(self, function: MaskedFunction, kernel: Kernel) -> None:
         self._function, self._signature, self._kernel = function, function.signature, kernel
@@ -151,57 +311,36 @@ class Blocks:
         }
         self._tables: dict[tuple[bool, ...], tuple[list[Table], list[Table]]] = {}
 
-    def evaluate(
-        self,
-        part: Part,
-        arrays: Sequence[Array],
-        extent: Extent,
-        out: list[Array] | None,
-        reference: int | None = None,
-    ) -> Evaluation:
-        """Outputs of a part, or all of them as differences to the item ``reference``."""
+    def plan(
+        self, part: Part, arrays: Sequence[Array], extent: Extent, reference: int | None = None
+    ) -> Plan:
+        """How to evaluate a part, or all outputs as differences to the item ``reference``."""
         batch, items = extent
-        count, layouts = math.prod(batch), self._layouts[part]
+        count = math.prod(batch)
         real = self._function.real
         if any(array.dtype.kind == "c" for array in arrays):
             real = np.result_type(real, *(a.dtype for a in arrays if a.dtype.kind == "c"))
+        layouts = self._layouts[part]
         left = items if items is None or reference is None else items - 1
-        outputs: list[Array] = out or [
-            np.empty((*batch, *_own(layout, left), *layout.shape), dtype=real) for layout in layouts
+        shapes = [
+            ((*batch, *_own(o, left), *o.shape), (count, *_own(o, left), o.size)) for o in layouts
         ]
-        status: Array = np.zeros(count, dtype=np.uint8)
-        item_status: Array = np.zeros((count, items or 0), dtype=np.uint8)
-        block = Block(self._function, self._kernel, part, layouts, reference, out is None, real)
-        results = [
-            array.reshape((count, *_own(layout, left), layout.size))
-            for layout, array in zip(layouts, outputs, strict=True)
-        ]
-        length = max(LENGTH // max(1, items or 1), SHORTEST)
-        with np.errstate(all="ignore"):
-            source = self._source(arrays, extent, count, real)
-            for start in range(0, count, length):
-                own = slice(start, min(start + length, count))
-                found = [result[own] for result in results]
-                block.evaluate(source, own, found, status[own], item_status[own])
-        verdict = Status(int(status[0])) if batch == () else status.reshape(batch)
-        if items is None:
-            return Evaluation(outputs, verdict, None)
-        return Evaluation(outputs, verdict, item_status.reshape((*batch, items)))
-
-    def _source(self, arrays: Sequence[Array], extent: Extent, count: int, real: Any) -> Source:
-        """Arguments with one leading axis, of length one where all epochs share them."""
-        flat, shared, batch = {}, [], extent.batch
+        leads: list[tuple[tuple[int, ...] | None, tuple[int, ...]]] = []
+        shared = []
         for argument, array in zip(self._signature.arguments, arrays, strict=True):
             axes = array.ndim - argument.rank
             lead, own = array.shape[:axes], array.shape[axes:]
-            shared.append(lead != batch and math.prod(lead) == 1)
-            if not shared[-1] and lead != batch:
-                array = np.broadcast_to(array, (*batch, *own))
-            flat[argument.name] = array.reshape((1 if shared[-1] else count, *own))
+            together = lead != batch and math.prod(lead) == 1
+            wide = None if together or lead == batch else (*batch, *own)
+            leads.append((wide, (1 if together else count, *own)))
+            shared.append(together)
         key = tuple(shared)
         if key not in self._tables:
             self._tables[key] = self._grouped(key)
-        return Source(self._signature, flat, real, *self._tables[key])
+        return Plan(
+            self._function, self._kernel, part, layouts, reference, extent, real, shapes, leads,
+            *self._tables[key],
+        )  # fmt: skip
 
     def _grouped(self, shared: Sequence[bool]) -> tuple[list[Table], list[Table]]:
         """Tables of what all epochs share and of what each has, items and the rest apart."""
@@ -213,100 +352,3 @@ class Blocks:
             if chosen:
                 found[not together].append(Table(chosen, self._signature.guarded))
         return found
-
-
-def _own(layout: Layout, items: int | None) -> tuple[int, ...]:
-    """The item axis of an output, where it has one."""
-    return (items,) if items is not None and layout.output.item else ()
-
-
-class Block(NamedTuple):
-    """The evaluation of some epochs.
-
-    Attributes:
-        function: masks what failed.
-        kernel: computes.
-        part: what was asked for.
-        layouts: one for every output of it.
-        reference: the item that is subtracted from the others, if any.
-        fresh: True where failed epochs become NaN, False where they stay as they are.
-        real: type of the outputs.
-    """
-
-    function: MaskedFunction
-    kernel: Kernel
-    part: Part
-    layouts: Sequence[Layout]
-    reference: int | None
-    fresh: bool
-    real: Any
-
-    def evaluate(
-        self,
-        source: Source,
-        epochs: slice,
-        results: Sequence[Array],
-        status: Array,
-        item_status: Array,
-    ) -> None:
-        """Fills in the outputs and the status of some epochs."""
-        guards = BlockGuards(self.real)
-        elements = source.read(epochs, guards)
-        signature = self.function.signature
-        space = ComplexStep(np) if self.real.kind == "c" else np
-        found = run(signature, self.kernel, space, guards, elements)
-        count, items = item_status.shape
-        rows = [self._rows(layout, found[layout.number], elements) for layout in self.layouts]
-        together = Rows((count,), self.real)
-        each = Rows((items, count), self.real) if signature.mapped else together
-        direct = not guards.noted and self.reference is None
-        whole = results if direct else self._room(count, items)
-        for layout, own_rows, target in zip(self.layouts, rows, whole, strict=True):
-            (each if layout.output.item else together).store(layout, own_rows, target)
-        if not direct:
-            noted = np.broadcast_to(guards.shared, (count,))
-            by_item = np.broadcast_to(guards.item, (items, count)).T if signature.mapped else None
-            self._settle(Computed(list(whole), noted, by_item), results, status, item_status)
-
-    def _rows(self, layout: Layout, values: Sequence[Any], elements: Elements) -> Sequence[Any]:
-        """One row, or number, for every column of an output."""
-        if layout.arrange is not None:
-            return layout.arrange(values)
-        if self.part is Part.NONZEROS:
-            return values
-        rows: list[Any] = [0.0] * layout.size
-        for value, place in zip(values, layout.output.places, strict=True):
-            if isinstance(place, Slot):
-                index = elements[place.argument]
-                index = index if place.element is None else index[place.element]
-                for number, column in columns_of(place):
-                    rows[column] = np.where(index == number, value, rows[column])
-            else:
-                rows[place] = value
-        return rows
-
-    def _room(self, count: int, items: int) -> list[Array]:
-        mapped = self.function.signature.mapped
-        shapes = ((count, *_own(o, items if mapped else None), o.size) for o in self.layouts)
-        return [np.empty(shape, dtype=self.real) for shape in shapes]
-
-    def _settle(
-        self, computed: Computed, results: Sequence[Array], status: Array, item_status: Array
-    ) -> None:
-        """Masks what failed and puts the rest where it belongs."""
-        extent = Extent(status.shape, None if computed.item is None else item_status.shape[1])
-        outputs = [
-            array.reshape((*status.shape, *_own(layout, extent.items), *layout.shape))
-            for layout, array in zip(self.layouts, computed.outputs, strict=True)
-        ]
-        computed = computed._replace(outputs=outputs)
-        if self.reference is not None:
-            computed = self.function.differenced(np, computed, self.reference)
-        done = self.function.finish(np, self.part, computed, extent, None, self.reference)
-        status[...] = done.status
-        if done.item_status is not None:
-            item_status[...] = done.item_status
-        passed = (status == Status.OK) | (status == Status.PARTIAL) | self.fresh
-        for target, array in zip(results, done.outputs, strict=True):
-            where = passed.reshape(passed.shape + (1,) * (target.ndim - 1))
-            np.copyto(target, array.reshape(target.shape), where=where)

@@ -264,7 +264,7 @@ def _options(tree: Tree, symbol: str) -> str:
 
 
 def _by_contract(kernel: str) -> str:
-    """Functions of which Eva takes the contract: it cannot follow the parts of an angle together."""
+    """Functions Eva takes by their contract: it cannot follow the parts of an angle together."""
     called = [name for name in SINUSOIDS.values() if f"{name}(" in kernel]
     return f" -eva-use-spec {','.join(called)}" if called else ""
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 import operator
 from collections.abc import Callable, Mapping, Sequence
-from operator import itemgetter, le
+from operator import call, itemgetter, le
 from struct import Struct, pack_into
 from typing import Any, NamedTuple
 
@@ -22,6 +22,7 @@ from ._runtime import Argument, Array, Kind, Output, Signature, Slot, Status
 #: More items than this are quicker as arrays.
 MOST_ITEMS = 64
 
+_DOUBLE = np.dtype(np.float64)
 _LARGEST = float(np.finfo(np.float64).max)
 _WIDE_GAP = 64
 _OK = Status.OK
@@ -141,7 +142,7 @@ def _limits(argument: Argument, guarded: bool) -> _Limits:
 
 
 def _fits(argument: Argument, value: Array) -> bool:
-    return bool(value.dtype.char == "d" or (argument.integer and value.dtype.kind in "iu"))
+    return value.dtype is _DOUBLE or (argument.integer and value.dtype.kind in "iu")
 
 
 def _shared_reader(argument: Argument, guarded: bool) -> Callable[[Any], Any]:
@@ -149,17 +150,26 @@ def _shared_reader(argument: Argument, guarded: bool) -> Callable[[Any], Any]:
     places, low, high, norms = _limits(argument, guarded)
     shape = (argument.size,)
     chosen = None if places == tuple(range(argument.size)) else _picker(places)
-    array = np.ndarray
+    array, quaternion = np.ndarray, Kind.QUATERNION
 
     def read(value: Any) -> Any:
-        if type(value) is not array or value.shape != shape or not _fits(argument, value):
+        if type(value) is not array or value.shape != shape:
+            raise Unfit
+        if value.dtype is not _DOUBLE and not _fits(argument, value):
             raise Unfit
         numbers = value.tolist()
+        if not low:
+            return numbers
         checked = numbers if chosen is None else chosen(numbers)
         if not (all(map(le, low, checked)) and all(map(le, checked, high))):
             raise Unfit
         for kind, own, tolerance in norms:
-            if not max(norm_defects(kind, numbers[own])) <= tolerance:
+            if kind is quaternion:
+                w, x, y, z = numbers[own]
+                defect = abs(w * w + x * x + y * y + z * z - 1.0)
+            else:
+                defect = max(norm_defects(kind, numbers[own]))
+            if not defect <= tolerance:
                 raise Unfit
         return numbers
 
@@ -211,15 +221,28 @@ class _Writer:
         for number, place in enumerate(places):
             sources[place] = number
         self._dense = _picker(sources)
-        self._pack = Struct(f"{output.size}d").pack_into
+        in_order = sources == list(range(len(places)))
+        #: From one row of non-zeros to its array.
+        self.one = self._scattered_one if self._sparse else self._packer(in_order)
 
-    def one(self, values: Sequence[float]) -> Array:
-        """The array of one row of non-zeros."""
-        if self._sparse:
-            return self._scattered([values]).reshape(self._shape)
-        array: Array = np.empty(self._shape)
-        self._pack(array, 0, *self._dense((*values, 0.0)))
-        return array
+    def _packer(self, in_order: bool) -> Callable[[Sequence[float]], Array]:
+        shape, empty, dense = self._shape, np.empty, self._dense
+        pack = Struct(f"{self._size}d").pack_into
+
+        def one(values: Sequence[float]) -> Array:
+            array: Array = empty(shape)
+            pack(array, 0, *dense((*values, 0.0)))
+            return array
+
+        def one_in_order(values: Sequence[float]) -> Array:
+            array: Array = empty(shape)
+            pack(array, 0, *values)
+            return array
+
+        return one_in_order if in_order else one
+
+    def _scattered_one(self, values: Sequence[float]) -> Array:
+        return self._scattered([values]).reshape(self._shape)
 
     def many(self, rows: Sequence[Sequence[float]]) -> Array:
         """The array of a row of non-zeros for every item."""
@@ -269,15 +292,13 @@ class Epoch:
         names = self._names
         if self._movable or len(state) + len(inputs) != len(names):
             return None
-        given = {names[0]: state[0], **inputs} if state else inputs
         try:
+            given = {names[0]: state[0], **inputs} if state else inputs
             shared = [read(given[name]) for name, read in self._shared]
             if self._own:
                 return self._mapped(shared, given)
             found = self._kernel(Numbers, _Guards, *shared)
-            fields = [write(values) for write, values in zip(self._plain, found, strict=True)]
-            fields.append(_OK)
-            return fields
+            return [*map(call, self._plain, found), _OK]
         except (ArithmeticError, KeyError, ValueError):
             return None
 

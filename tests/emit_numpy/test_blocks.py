@@ -227,3 +227,77 @@ def test_given_arguments_are_not_changed(short: ModuleType, rng: np.random.Gener
         found = outputs(short.gps(own, lever_arm=arm))
         assert all(np.array_equal(a, b) for a, b in zip(found, expected, strict=True))
         assert np.array_equal(own, kept)
+
+
+def test_plans_follow_the_shapes(package: ModuleType, rng: np.random.Generator) -> None:
+    """Other numbers of epochs and items, other types and orders of names, one after another."""
+    given = {n: packages.arguments(FUNCTIONS["ranges"], rng, n, items=n + 1) for n in (1, 3, 7)}
+    expected = {n: called(package.ranges, given[n]) for n in given}
+    for n in (3, 1, 7, 3):
+        backwards = dict(reversed(given[n].items()))
+        narrow = {**given[n], "x": given[n]["x"].astype(np.float32)}
+        assert called(package.ranges, narrow).value.shape == (n, n + 1)
+        for own in (given[n], backwards):
+            found = called(package.ranges, own)
+            pairs = zip(outputs(found), outputs(expected[n]), strict=True)
+            assert all(np.array_equal(a, b) for a, b in pairs)
+    with pytest.raises(ValueError, match=r"but \w+ has n"):
+        called(package.ranges, {**given[3], "slot": given[1]["slot"]})
+
+
+def test_a_known_shape_is_planned_once(
+    package: ModuleType, rng: np.random.Generator, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The second call decides nothing; more shapes than are kept are planned again."""
+    blocks, arrays = backend(package, "_blocks"), backend(package, "_arrays")
+    planned: list[int] = []
+    original = blocks.Blocks.plan
+
+    def plan(self: Any, part: Any, given: Any, extent: Any, *more: Any) -> Any:
+        planned.append(extent.batch[0])
+        return original(self, part, given, extent, *more)
+
+    monkeypatch.setattr(blocks.Blocks, "plan", plan)
+    monkeypatch.setattr(arrays, "_MOST_PLANS", 2)
+    for count in (11, 11, 12, 11, 13, 13, 11):
+        given = packages.arguments(FUNCTIONS["gps"], rng, count)
+        assert called(package.gps, given).value.shape == (count, 3)
+    assert planned == [11, 12, 13, 11]
+    both = rng.uniform(1.0, 2.0, size=14)
+    for _ in range(2):
+        result = package.operations(a=both, b=both)
+        assert_agrees(FUNCTIONS["operations"], result, {"a": both, "b": both})
+
+
+def test_elements_are_inside_their_ranges_where_norms_are_good(
+    short: ModuleType, rng: np.random.Generator
+) -> None:
+    """Ranges that follow from a norm are still guarded: NaN, infinities, and what is too long."""
+    for element in range(9):
+        given = packages.arguments(FUNCTIONS["frame_map"], rng, 6)
+        for epoch, value in ((1, np.nan), (3, np.inf), (5, 1.5)):
+            given["turn"][epoch, element] = value
+        expected = [0, ir.Status.RANGE, 0, ir.Status.RANGE, 0, ir.Status.RANGE]
+        assert called(short.frame_map, given).status.tolist() == expected
+    for element in range(3, 7):
+        given = packages.arguments(FUNCTIONS["gps"], rng, 6)
+        given["x"][[1, 4], element] = np.nan, -1.5
+        expected = [0, ir.Status.RANGE, 0, 0, ir.Status.RANGE, 0]
+        assert called(short.gps, given).status.tolist() == expected
+
+
+def test_every_defect_of_a_matrix_is_seen(short: ModuleType, rng: np.random.Generator) -> None:
+    """The quick guards compute what the close ones do, and each defect alone is refused."""
+    tables, explain = backend(short, "_tables"), backend(short, "_explain")
+    rows = rng.normal(size=(9, 5))
+    found = np.empty((7, 5))
+    tables._matrix_defects(rows, found)
+    expected = explain.norm_defects(backend(short, "_runtime").Kind.MATRIX, list(rows))
+    assert np.abs(found[[0, 3, 1, 4, 5, 6]]) == pytest.approx(np.array(expected), rel=1e-12)
+    for place, change in ((0, 1e-5), (4, 1e-5), (3, 1e-5), (8, -1e-5), (2, 1e-5), (5, 1e-5)):
+        given = packages.arguments(FUNCTIONS["frame_map"], rng, 6)
+        given["turn"][4] = np.eye(3).reshape(9)
+        given["turn"][4, place] += change
+        status = called(short.frame_map, given).status
+        assert status[4] in (ir.Status.QNORM, ir.Status.RANGE)
+        assert not np.delete(status, 4).any()

@@ -94,7 +94,7 @@ def alone(small: ModuleType, monkeypatch: pytest.MonkeyPatch) -> ModuleType:
     def refuse(*_arguments: Any, **_more: Any) -> None:
         raise AssertionError("arrays were asked")
 
-    monkeypatch.setattr(backend(small, "_blocks").Blocks, "evaluate", refuse)
+    monkeypatch.setattr(backend(small, "_blocks").Plan, "run", refuse)
     return small
 
 
