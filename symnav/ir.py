@@ -2,7 +2,7 @@
 
 Both routes (CasADi to C, SymPy to NumPy) lower a derivation into these records, and everything
 after that (passes, emission, build, documentation) reads nothing else. The records hold no
-behaviour and no text of any target language.
+behaviour beyond names for what they say, and no text of any target language.
 
 A function is evaluated in two bodies. ``shared`` runs once per call; ``item`` runs once per
 satellite (or whatever the items are) and may refer to targets of ``shared``. A function that is
@@ -294,6 +294,21 @@ class Role(StrEnum):
     LOCAL = "local"
 
 
+class Guards(StrEnum):
+    """Where the checks of a function stand; the names are those of the specification.
+
+    Attributes:
+        STATUS: every call checks its inputs and the intermediate values that can be singular.
+        OUTER: a function of its own checks the inputs, for the caller to call where data enter;
+            a call checks the intermediate values.
+        ASSUME: nothing is checked but what keeps a call inside its arrays.
+    """
+
+    STATUS = "status"
+    OUTER = "outer"
+    ASSUME = "assume"
+
+
 class Items(StrEnum):
     """What a mapped function does with an item that fails its checks."""
 
@@ -318,7 +333,7 @@ class Function:
         outputs: ``value`` first, then Jacobians.
         maximum: most items in one call, or None when not mapped.
         items: what a failed item does; only meaningful when mapped.
-        guarded: False when the user asked to leave the checks out.
+        guards: where its checks stand.
         column_major: True when dense Jacobians are stored by column.
         single_difference: True when the differenced form is wanted as well.
     """
@@ -335,9 +350,24 @@ class Function:
     outputs: tuple[Output, ...]
     maximum: int | None
     items: Items
-    guarded: bool
+    guards: Guards
     column_major: bool
     single_difference: bool
+
+    @property
+    def checks_inputs(self) -> bool:
+        """True when every call looks at what it is given."""
+        return self.guards is Guards.STATUS
+
+    @property
+    def checks_domain(self) -> bool:
+        """True when a call refuses singular intermediate values."""
+        return self.guards is not Guards.ASSUME
+
+    @property
+    def checks_at_border(self) -> bool:
+        """True when a function of its own looks at the inputs."""
+        return self.guards is Guards.OUTER
 
 
 @dataclass(frozen=True, slots=True)

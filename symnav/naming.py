@@ -97,10 +97,11 @@ STANDARD_NAMES = frozenset(
 #: Helpers and types that the files of the generated C share; likewise.
 HELPER_NAMES = _words(
     """
-    cosine_of flag_t first_failure indices_to_lanes is_beyond is_centred is_equal is_index_outside
-    is_outside is_skewed_matrix is_skewed_quaternion is_within lanes_to_rows larger_of near_cosine
-    near_sine nearest_whole rows_to_lanes sine_of smaller_of take_centred take_index take_value
-    turn_of
+    are_four_centred are_four_within are_three_centred are_three_within are_two_centred
+    are_two_within cosine_of first_failure flag_t indices_to_lanes is_beyond is_centred is_equal
+    is_index_outside is_outside is_skewed_matrix is_skewed_quaternion is_within lanes_to_rows
+    larger_of near_cosine near_sine nearest_whole rows_to_lanes sine_of smaller_of take_centred
+    take_index take_value turn_of
     """
 )
 

@@ -274,6 +274,7 @@ def export(
     scalar: str = "double",
     tolerance: float | None = None,
     batches: bool = False,
+    guards: str | None = None,
     proofs: bool = False,
     force: bool = False,
     progress: Progress = _silent,
@@ -286,6 +287,8 @@ def export(
         scalar: ``double`` or ``float``.
         tolerance: largest rounding error of a value that is accepted, in the value's unit.
         batches: entry points for many epochs as well.
+        guards: ``status``, ``outer`` or ``assume``: where the checks of every function stand,
+            instead of where the specification says.
         proofs: run every proof whose tool is installed over what was written.
         force: write over changes made by hand.
         progress: told each stage.
@@ -302,11 +305,11 @@ def export(
 
     if not force:
         writing.protect(folder)
-    made = bundle(spec, scalar, tolerance, batches=batches, progress=progress)
+    made = bundle(spec, scalar, tolerance, batches=batches, guards=guards, progress=progress)
     text = assemble(made, progress)
     progress("write")
     scalars = [tree.module.scalar.value for tree in made.trees]
-    options = {"scalar": scalar, "tolerance": tolerance, "batches": batches}
+    options = {"scalar": scalar, "tolerance": tolerance, "batches": batches, "guards": guards}
     written = writing.write(folder, text, digest(spec), scalars, options)
     contents = tuple(
         (tree.prefix, tree.module.scalar.value, tuple(f.name for f in tree.module.functions))
@@ -322,6 +325,7 @@ def bundle(
     tolerance: float | None = None,
     *,
     batches: bool = False,
+    guards: str | None = None,
     progress: Progress = _silent,
 ) -> Bundle:
     """What ``export`` writes, before its files are assembled; see there.
@@ -333,17 +337,20 @@ def bundle(
     from symnav.export import Bundle, Options
     from symnav.export.error_bounds import refuse_beyond, with_bounds
 
+    where = None if guards is None else ir.Guards(guards)
     progress("derive")
-    derived = derive(spec)
+    derived = derive(spec if where is None else _guarded_by(spec, where))
     progress("lower")
     modules = _modules(spec, derived, ir.Scalar(scalar))
+    if where is not None:
+        modules = [_all_guarded_by(module, where) for module in modules]
     progress("bound")
     modules = [replace(with_bounds(module), batches=batches) for module in modules]
     refuse_beyond(modules, tolerance)
     progress("emit")
     trees = tuple(_tree(module) for module in modules)
     derivations = (*derived.layout, *derived.entries)
-    options = Options(ir.Scalar(scalar), tolerance, batches)
+    options = Options(ir.Scalar(scalar), tolerance, batches, where)
     return Bundle(spec, derivations, trees, options)
 
 
@@ -359,6 +366,16 @@ def _modules(spec: Spec, derived: Derived, scalar: ir.Scalar) -> list[ir.Module]
     kept = tuple(f for f in functions if f.name in wide)
     single = module(_in_float(spec), functions, scalar)
     return [single, module(spec, kept)] if kept else [single]
+
+
+def _guarded_by(spec: Spec, guards: ir.Guards) -> Spec:
+    """A spec whose checks stand where they are wanted."""
+    return replace(spec, entries=tuple(replace(e, guards=guards.value) for e in spec.entries))
+
+
+def _all_guarded_by(module: ir.Module, guards: ir.Guards) -> ir.Module:
+    """The same of a module, with what comes from the layout and has no entry in a spec."""
+    return replace(module, functions=tuple(replace(f, guards=guards) for f in module.functions))
 
 
 def _tree(module: ir.Module) -> Tree:

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 Examples:
   symnav export rover.toml --to flight/rover
   symnav export rover.toml --to flight/rover --scalar float --tolerance 0.01
+  symnav export rover.toml --to flight/rover --guards outer
   symnav export rover.toml --to flight/rover --prove
 """,
 )
@@ -49,6 +50,13 @@ Examples:
     "in the value's unit; Jacobians do not count.",
 )
 @click.option("--batches", is_flag=True, help="Entry points for many epochs as well.")
+@click.option(
+    "--guards",
+    type=click.Choice(("status", "outer", "assume")),
+    default=None,
+    help="Where checks stand instead of where SPEC says: in every call; inputs in a function of "
+    "their own, to be called where data enter; or nowhere.",
+)
 @click.option("--prove", is_flag=True, help="Run every proof whose tool is installed.")
 @click.option("--force", is_flag=True, help="Write over changes made by hand.")
 @click.pass_context
@@ -59,6 +67,7 @@ def export(
     scalar: str,
     tolerance: float | None,
     batches: bool,
+    guards: str | None,
     prove: bool,
     force: bool,
     as_json: bool,
@@ -80,6 +89,7 @@ def export(
             scalar=scalar,
             tolerance=tolerance,
             batches=batches,
+            guards=guards,
             proofs=prove,
             force=force,
             progress=reporter.stage,

@@ -43,7 +43,7 @@ def decisions(function: ir.Function, scalar: ir.Scalar, outcome: Outcome) -> lis
         outcome: of the rows.
     """
     loads = loader(function, outcome.copies, kind_of(scalar))
-    blank = Ieee(scalar, function.guarded, np.zeros_like(outcome.status))
+    blank = Ieee(scalar, function.checks_domain, np.zeros_like(outcome.status))
     found: list[Codes] = []
 
     def decide(condition: ir.Expression) -> NDArray[np.bool_]:

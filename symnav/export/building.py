@@ -8,6 +8,7 @@ import re
 from collections.abc import Mapping
 
 from symnav import __version__
+from symnav.emit.c.border import SUFFIX as BORDER
 from symnav.emit.templates import render
 from symnav.export.records import Bundle, Tree
 
@@ -114,6 +115,11 @@ def model_digest(tree: Tree, function: str) -> str:
 def kernel_path(tree: Tree, function: str) -> str:
     """Path of the file that holds a function's kernel."""
     return f"src/{tree.prefix}_{function}_kernel.h"
+
+
+def border_path(tree: Tree, function: str) -> str:
+    """Path of the file that checks a function's inputs, where they are checked on their own."""
+    return f"src/{tree.prefix}_{function}{BORDER}.c"
 
 
 def _version_header(tree: Tree) -> str:

@@ -34,7 +34,8 @@ def regenerate(bundle: Bundle) -> str:
     options = bundle.options
     tolerance = "" if options.tolerance is None else f" --tolerance {options.tolerance!r}"
     batches = " --batches" if options.batches else ""
-    chosen = f"{options.scalar.value}{tolerance}{batches}"
+    guards = f" --guards {options.guards.value}" if options.guards else ""
+    chosen = f"{options.scalar.value}{tolerance}{batches}{guards}"
     return f"symnav export spec.toml --to DIR --scalar {chosen}"
 
 
@@ -55,6 +56,7 @@ def _readme(bundle: Bundle, program: str) -> str:
         generator=module.generator,
         trees=bundle.trees,
         functions=functions,
+        border=any(function.checks_at_border for _, function in functions),
         functions_table=icd.table(("function", "type", "what it computes"), rows),
         has_state=bool(module.state.blocks),
         size=module.state.size,

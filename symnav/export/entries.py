@@ -10,6 +10,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from symnav import ir
+from symnav.emit.c.border import SUFFIX as BORDER
+from symnav.emit.c.literals import bounds
+from symnav.export.evaluation import read_domains
 from symnav.export.prototypes import Parameter, Prototype, constants, prototypes, value_of
 from symnav.export.records import Tree
 
@@ -64,6 +67,20 @@ class Array:
 
 
 @dataclass(frozen=True, slots=True)
+class Promise:
+    """What a caller has seen to before it passes an array.
+
+    Attributes:
+        size: elements of one call, of one item where there are items.
+        ranges: literals of the lower and upper end, by the number of the element; of an element
+            that is not here nothing is promised.
+    """
+
+    size: int
+    ranges: Mapping[int, tuple[str, str]]
+
+
+@dataclass(frozen=True, slots=True)
 class Entry:
     """An entry point with the arrays a driver gives it.
 
@@ -73,6 +90,7 @@ class Entry:
         maximum: most items of a call; 0 where it has no items.
         epochs: most epochs a driver gives it; 0 where it takes one.
         statuses: what one epoch can end with: those of the call, or of every epoch.
+        promised: by array, what an entry point that does not look at its inputs relies on.
     """
 
     prototype: Prototype
@@ -80,6 +98,7 @@ class Entry:
     maximum: int
     epochs: int
     statuses: tuple[str, ...]
+    promised: Mapping[str, Promise]
 
     @property
     def symbol(self) -> str:
@@ -136,7 +155,8 @@ def entries(tree: Tree) -> Iterator[tuple[ir.Function, tuple[Entry, ...]]]:
     symbols = {f"{tree.prefix}_{function.name}": function for function in tree.module.functions}
     for symbol, function in symbols.items():
         family = [p for p in listed if _owner(p.symbol, symbols) == symbol]
-        yield function, tuple(_entry(p, family, function, known) for p in family)
+        scalar = tree.module.scalar
+        yield function, tuple(_entry(p, family, function, known, scalar) for p in family)
 
 
 def _owner(symbol: str, functions: Mapping[str, ir.Function]) -> str:
@@ -149,6 +169,7 @@ def _entry(
     family: Sequence[Prototype],
     function: ir.Function,
     known: Mapping[str, int],
+    scalar: ir.Scalar,
 ) -> Entry:
     stem = family[0].symbol.upper()
     many = "epochs" in prototype.names
@@ -176,7 +197,28 @@ def _entry(
             )
         )
     statuses = family[0].statuses if many else prototype.statuses
-    return Entry(prototype, tuple(arrays), maximum, epochs, statuses)
+    border = function.checks_at_border and prototype.symbol == family[0].symbol + BORDER
+    promised = {} if function.checks_inputs or border else _promised(arrays, function, scalar)
+    return Entry(prototype, tuple(arrays), maximum, epochs, statuses, promised)
+
+
+def _promised(
+    arrays: Sequence[Array], function: ir.Function, scalar: ir.Scalar
+) -> dict[str, Promise]:
+    """The declared ranges of what is read and not looked at."""
+    given = [array for array in arrays if not array.written and array.name != "sigma"]
+    return {
+        array.name: Promise(
+            argument.size,
+            {
+                domain.start + k: bounds(domain.lower[k], domain.upper[k], scalar)
+                for domain in read_domains(argument)
+                for k in range(domain.size)
+            },
+        )
+        for array, argument in zip(given, function.arguments, strict=False)
+        if not argument.integer
+    }
 
 
 def _runs(parameter: Parameter, size: int, limit: str, function: ir.Function) -> Runs:

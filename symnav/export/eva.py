@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 from symnav import ir
 from symnav.emit.c import comments
+from symnav.emit.c.border import SUFFIX as BORDER
 from symnav.emit.c.expressions import SINUSOIDS
 from symnav.emit.templates import render
 from symnav.export.entries import LANES, Array, Entry, Runs, entries
@@ -69,7 +70,7 @@ class Driver:
     @property
     def main(self) -> list[str]:
         """Every input, every count, every pointer that is missing."""
-        lines = [f"    any_bits({array.name}, sizeof {array.name});" for array in self.entry.inputs]
+        lines = [line for array in self.entry.inputs for line in self._given(array)]
         # Of many epochs only finiteness is stated: there the outputs start from zero.
         lines += [
             f"    mark({self.symbol}_marked.{array.name}, {array.elements});"
@@ -77,6 +78,25 @@ class Driver:
             if not self.entry.epochs
         ]
         return [*lines, "", *self._missing(), *self._wrong_counts(), *self._calls()]
+
+    def _given(self, array: Array) -> Iterator[str]:
+        """Any bits; inside the declared ranges where the caller has seen to that."""
+        promise = self.entry.promised.get(array.name)
+        yield f"    any_bits({array.name}, sizeof {array.name});"
+        if promise is None or not promise.ranges:
+            return
+        yield f"    for (int32_t k = 0; k < {array.elements // promise.size}; ++k) {{"
+        for element, (low, high) in promise.ranges.items():
+            place = f"({promise.size} * k) + {element}"
+            text = f"{array.name}[{place}] = {self._interval}({low}, {high});"
+            yield from comments.code(text, depth=2)
+        yield "    }"
+
+    @property
+    def _interval(self) -> str:
+        """Function of Eva that returns any number between two."""
+        kind = self.tree.module.scalar
+        return f"Frama_C_{kind.value}_interval"
 
     @property
     def _integers(self) -> list[str]:
@@ -215,11 +235,13 @@ def files(bundle: Bundle) -> Mapping[str, str]:
             symbol = f"{tree.prefix}_{function.name}"
             path = f"proof/eva_{symbol}.c"
             text[path] = _driver(tree, symbol, path, listed)
-            options = _options(tree, symbol)
+            options = {unit: _options(tree, symbol, unit) for unit in _units(tree, symbol)}
             largest = max(array.elements for entry in listed for array in entry.arrays)
             for entry in listed:
+                unit = entry.symbol if f"src/{entry.symbol}.c" in tree.files else symbol
                 commands.append(
-                    f"eva eva_{entry.symbol} {symbol} {options} -eva-min-loop-unroll {largest + 1}"
+                    f"eva eva_{entry.symbol} {symbol} {unit} {options[unit]} "
+                    f"-eva-min-loop-unroll {largest + 1}"
                 )
     text[SCRIPT] = render("export/proof/run_eva.sh.j2", name=bundle.name, commands=commands)
     return text
@@ -243,23 +265,32 @@ def _driver(tree: Tree, symbol: str, path: str, listed: Sequence[Entry]) -> str:
     )
 
 
-def _options(tree: Tree, symbol: str) -> str:
+def _units(tree: Tree, symbol: str) -> Iterator[str]:
+    """Source files of a function, without their ending."""
+    yield from (u for u in (symbol, symbol + BORDER) if f"src/{u}.c" in tree.files)
+
+
+def _options(tree: Tree, symbol: str, unit: str) -> str:
     """Where Eva keeps cases apart and where it joins them, function by function."""
     check = _defined(tree.files[f"src/{tree.prefix}_check.h"])
     text = tree.files[f"src/{symbol}_kernel.h"]
     kernel = _defined(text)
-    source = _defined(tree.files[f"src/{symbol}.c"])
+    source = _defined(tree.files[f"src/{unit}.c"])
     truths = [name for name, result in check.items() if result.endswith("bool")]
     statuses = [name for name, result in source.items() if result.endswith("_status_t")]
     levels = dict.fromkeys(check, 20)
-    levels |= {name: 0 if "_load" in name else 100 for name in kernel}
+    called = {**source, **(kernel if unit == symbol else {})}
+    loaders = [name for name in called if name.endswith("_load")]
     levels |= {name: 8 if name in statuses else 0 for name in source}
-    split = ",".join(f"{name}:full" for name in (*truths, *statuses))
+    levels |= {name: 100 for name in kernel if unit == symbol and not name.endswith("_load_item")}
+    levels |= dict.fromkeys(loaders, 100)
+    kept = [f"{name}:0" for name in (*truths, *loaders)]  # apart: those that return 0
+    split = ",".join((*kept, *(f"{name}:full" for name in statuses)))
     return (
         f"-eva-slevel-function {','.join(f'{name}:{level}' for name, level in levels.items())} "
         f"-eva-split-return-function {split} "
         f"-eva-slevel-merge-after-loop {','.join(statuses)}"
-        f"{_by_contract(text)}"
+        f"{_by_contract(text) if unit == symbol else ''}"
     )
 
 

@@ -194,7 +194,7 @@ def positions(index: int | ir.Offset, copies: Rows) -> NDArray[np.int64]:
 
 
 def _blank(function: ir.Function, scalar: ir.Scalar, count: int) -> Ieee:
-    return Ieee(scalar, function.guarded, np.zeros(count, dtype=np.int64))
+    return Ieee(scalar, function.checks_domain, np.zeros(count, dtype=np.int64))
 
 
 def _load(
@@ -211,7 +211,7 @@ def _load(
             if argument.integer:
                 low, high = (int(text) for text in literals.integer_bounds(lower, upper))
                 stand_in: Any = low
-            elif function.guarded:
+            elif function.checks_inputs:
                 low, high = bounds(lower, upper, arithmetic.scalar)
                 stand_in = arithmetic.kind.type(0.0) if low == -high else low
             else:
@@ -230,7 +230,7 @@ def read_domains(argument: ir.Argument) -> Iterable[ir.Domain]:
 def _check_norms(
     function: ir.Function, argument: ir.Argument, copy: NDArray[Any], arithmetic: Ieee
 ) -> None:
-    if not function.guarded:
+    if not function.checks_inputs:
         return
     for domain in read_domains(argument):
         elements = [copy[:, domain.start + place] for place in range(domain.size)]

@@ -9,6 +9,7 @@ from math import prod
 from symnav import ir
 from symnav.emit import c
 from symnav.emit.c import comments
+from symnav.emit.c.entries import EntryPoint
 from symnav.emit.c.header import Section
 from symnav.emit.c.pieces import Parameter, call
 from symnav.emit.c.target import Target
@@ -26,7 +27,6 @@ def program(bundle: Bundle) -> str:
     given = {argument.name: argument for argument in function.arguments}
     inputs = [p for p in entry.parameters if p.direction == "in"]
     outputs = [p for p in entry.parameters if p.direction == "out"]
-    invocation = call(entry.symbol, [p.name for p in entry.parameters])
     return render(
         "export/docs/example.c.j2",
         prefix=tree.prefix,
@@ -39,10 +39,30 @@ def program(bundle: Bundle) -> str:
             for line in _input(parameter, given.get(parameter.name), target)
         ],
         outputs=[f"{_local(parameter, target)};" for parameter in outputs],
-        call=comments.code(f"const {target.status} status = {invocation};"),
+        call=list(_calls(section)),
         result=function.outputs[0].name,
         count=prod(function.outputs[0].shape),
     )
+
+
+def _calls(section: Section) -> Iterator[str]:
+    """The call, behind that of the check of its inputs where they are checked on their own."""
+    target = section.kernel.target
+    entry, *others = section.entries
+    invocation = _call(entry)
+    border = next((other for other in others if other.border), None)
+    if border is None:
+        yield from comments.code(f"const {target.status} status = {invocation};")
+        return
+    yield from comments.code(f"{target.status} status = {_call(border)};")
+    yield ""
+    yield f"    if (status == {target.macro}_OK) {{"
+    yield from comments.code(f"status = {invocation};", depth=2)
+    yield "    }"
+
+
+def _call(entry: EntryPoint) -> str:
+    return call(entry.symbol, [p.name for p in entry.parameters])
 
 
 def _chosen(bundle: Bundle) -> tuple[Tree, Section]:

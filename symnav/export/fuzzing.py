@@ -77,9 +77,10 @@ class Harness:
         times = "count" if per_item else "1"
         if self.entry.epochs:
             times = f"{self.entry.maximum if per_item else 1} * epochs"
+        wild = "false" if array.name in self.entry.promised else "true"
         yield from comments.code(
             f"{array.type} *{array.name} = fill_{name_of(array.type)}(in, {array.name}_domains, "
-            f"{len(domains)}, {times});"
+            f"{len(domains)}, {times}, {wild});"
         )
 
     def _room(self, array: Array) -> str:

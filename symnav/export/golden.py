@@ -172,7 +172,7 @@ def _finite(outcome: Outcome) -> NDArray[np.bool_]:
 
 def _refuse_infinite(function: ir.Function, outcome: Outcome) -> None:
     """Status OK promises finite results."""
-    if function.guarded and not _finite(outcome)[outcome.ok].all():
+    if function.checks_domain and not _finite(outcome)[outcome.ok].all():
         raise ProofError(
             f"{function.name}: a result is not finite although every guard passed; narrow the "
             "declared ranges or generate this function in double"

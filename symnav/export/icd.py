@@ -7,6 +7,7 @@ from math import prod
 
 from symnav import ir
 from symnav.emit import c
+from symnav.emit.c.border import SUFFIX as BORDER
 from symnav.emit.c.documentation import status_text, statuses
 from symnav.emit.c.entries import EntryPoint
 from symnav.emit.c.header import Section
@@ -138,7 +139,8 @@ def _function(tree: Tree, section: Section) -> dict[str, object]:
         "limit": f"{section.kernel.symbol.upper()}_MAX_ITEMS",
         "maximum": function.maximum,
         "policy": function.items.value,
-        "guarded": function.guarded,
+        "guarded": function.checks_domain,
+        "border": section.kernel.symbol + BORDER if function.checks_at_border else "",
         "guards": list(_guards(function)),
         "inputs": _inputs(function),
         "outputs": _outputs(function),

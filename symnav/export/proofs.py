@@ -23,5 +23,10 @@ def files(bundle: Bundle) -> Mapping[str, str]:
         **fuzzing.files(bundle),
         ".clang-tidy": render("export/proof/clang-tidy.j2"),
         "proof/misra.json": json.dumps(budget, indent=2) + "\n",
-        "proof/README.md": render("export/proof/README.md.j2", name=bundle.name, others=()),
+        "proof/README.md": render(
+            "export/proof/README.md.j2",
+            name=bundle.name,
+            others=(),
+            border=any(function.checks_at_border for _, function in bundle.functions()),
+        ),
     }

@@ -19,11 +19,13 @@ class Options:
         tolerance: largest rounding error of a value that is accepted, in the value's unit; None
             for any.
         batches: True for entry points over many epochs as well.
+        guards: where checks stand, instead of what the specification says; None to follow it.
     """
 
     scalar: ir.Scalar
     tolerance: float | None = None
     batches: bool = False
+    guards: ir.Guards | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -56,7 +56,7 @@ def failing(
         items: rows of a sample.
         outcome: of the rows.
     """
-    if not function.guarded:
+    if not function.checks_domain:
         return []
     found = []
     for step in (*function.shared, *function.item):

@@ -75,7 +75,7 @@ def slack(function: ir.Function, scalar: ir.Scalar, outcome: Outcome) -> dict[st
     """
     count = len(outcome.status)
     plain = loader(function, outcome.copies, kind_of(scalar))
-    arithmetic = Following(scalar, function.guarded, count)
+    arithmetic = Following(scalar, function.checks_domain, count)
 
     def loads(element: ir.Load) -> Moving:
         return Moving(plain(element), _ZERO)

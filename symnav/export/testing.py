@@ -40,6 +40,7 @@ FORMS: Mapping[str, str] = {
     "_sd": "DIFFERENCES",
     "_difference_matrix": "DENSE",
     "_difference_covariance": "DENSE",
+    "_check": "BORDER",
 }
 
 
@@ -145,7 +146,12 @@ class _Function:
     def fallible(self) -> bool:
         """True when something about an item is checked."""
         arguments = self.function.arguments
-        return self.function.guarded or any(a.integer for a in arguments if a.item)
+        return self._checked or any(a.integer for a in arguments if a.item)
+
+    @property
+    def _checked(self) -> bool:
+        """True when the range of every input is looked at, in every call or in one of its own."""
+        return self.function.checks_inputs or self.function.checks_at_border
 
     @property
     def epochs(self) -> int:
@@ -166,7 +172,8 @@ class _Function:
         numbers = (
             *(golden_of.samples, golden_of.items, function.maximum or 0, self.epochs),
             self.lanes,
-            *(int(function.column_major), int(rejects), int(function.guarded)),
+            *(int(function.column_major), int(rejects), int(function.checks_domain)),
+            int(function.checks_at_border),
             *(len(function.arguments), len(function.outputs), len(groups), len(turned)),
             len(plain),
         )
@@ -271,7 +278,7 @@ class _Function:
         found = []
         for k, argument in enumerate(self.function.arguments):
             for domain in read_domains(argument):
-                if self.function.guarded or argument.integer:
+                if self._checked or argument.integer:
                     free = domain.kind is ir.Kind.REAL
                     status = f"{self.tables.prefix.upper()}_ANY" if free else "0"
                     found.append([str(k), str(domain.start), str(domain.size), status, "NULL"])
@@ -281,7 +288,7 @@ class _Function:
         found = []
         for k, argument in enumerate(self.function.arguments):
             for domain in read_domains(argument):
-                if not self.function.guarded or domain.kind not in _TURNING:
+                if not self._checked or domain.kind not in _TURNING:
                     continue
                 for number, turn in enumerate(turns(domain, self.tables.scalar)):
                     wish = f"{self.function.name}_{domain.name}_turn_{number}"

@@ -1,7 +1,8 @@
 """``docs/trace.csv``: from every equation to the lines of C that compute its results.
 
-One row for every structural non-zero of every output, every guard and every input element, each
-with the line where its statement begins. Elements without a row are zero by structure.
+One row for every structural non-zero of every output, every guard, every input element where it is
+read and, where that is another statement, every input element where its range is checked, each with
+the line where its statement begins. Elements without a row are zero by structure.
 """
 
 from __future__ import annotations
@@ -15,14 +16,16 @@ from dataclasses import astuple, dataclass, fields
 from symnav import ir
 from symnav.emit import c
 from symnav.emit.c.header import Section
-from symnav.emit.c.kernel import OUTPUT_POINTER, SHARED_POINTER, entry_label
-from symnav.export.building import kernel_path
+from symnav.emit.c.kernel import OUTPUT_POINTER, SHARED_POINTER, Kernel, entry_label
+from symnav.export.building import border_path, kernel_path
 from symnav.export.records import Bundle, Tree
 
 PATH = "docs/trace.csv"
 
 _RESULT = re.compile(rf"(?:{OUTPUT_POINTER}|{SHARED_POINTER})->(\w+)\[(\d+)\] = ")
 _GUARD = re.compile(r"const bool \w+ = is_within\(")
+_CONDITION = re.compile(r"\b(?:is|are_\w+)_(?:centred|within)\(([^()]*)\)")
+_JUDGED = re.compile(r"(?:bool )?inside = ")
 # Elements of an epoch are a stride apart; where there is one epoch that is one.
 _INPUT = re.compile(
     r"(?:outside \|= \w+\(|\w+->[\w\[\]]+ = |const \w+ \w+ = \w+->)"
@@ -35,7 +38,7 @@ class Row:
     """One row of the table; the fields are its columns.
 
     Attributes:
-        kind: ``output``, ``guard`` or ``input``.
+        kind: ``output``, ``guard``, ``input`` or ``range``.
         function: C symbol.
         element: of the dense output or of the argument, counted from 0, per item where mapped.
         meaning: in words.
@@ -93,10 +96,17 @@ def _rows(tree: Tree, section: Section) -> Iterator[Row]:
         *_outputs(function, statements),
         *_guards(function, statements),
         *_inputs(function, statements),
+        *_ranges(section.kernel, statements),
     )
-    for kind, element, meaning, statement in places:
+    listed = [(path, place) for place in places]
+    if function.checks_at_border:
+        border = border_path(tree, function.name)
+        statements = list(_statements(tree.files[border]))
+        places = (*_inputs(function, statements), *_ranges(section.kernel, statements))
+        listed += [(border, place) for place in places]
+    for file, (kind, element, meaning, statement) in listed:
         yield Row(
-            kind, section.kernel.symbol, element, meaning, equation, function.source, path,
+            kind, section.kernel.symbol, element, meaning, equation, function.source, file,
             statement.line, statement.text,
         )  # fmt: skip
 
@@ -126,7 +136,7 @@ def _index(index: int | ir.Offset) -> str:
 def _guards(function: ir.Function, statements: list[_Statement]) -> Iterator[_Place]:
     checks = [s for s in (*function.shared, *function.item) if isinstance(s, ir.Check)]
     found = [statement for statement in statements if _GUARD.match(statement.text)]
-    if not function.guarded:
+    if not function.checks_domain:
         return
     for check, statement in zip(checks, found, strict=True):
         meaning = f"{check.comment or check.target} within {check.lower!r} to {check.upper!r}"
@@ -141,6 +151,27 @@ def _inputs(function: ir.Function, statements: list[_Statement]) -> Iterator[_Pl
             argument, position = known[match[1]], int(match[2] or 1)
             element = f"{argument.name}[{position}]"
             yield "input", element, _meaning(argument, position), statement
+
+
+def _ranges(kernel: Kernel, statements: list[_Statement]) -> Iterator[_Place]:
+    """Elements that conditions judge, by their copies or where the caller keeps them."""
+    judged = {
+        text: element
+        for element in kernel.inputs.elements
+        for text in (
+            kernel.inputs.place(element.load),
+            f"{element.argument.name}[{element.index}]",
+        )
+    }
+    for statement in statements:
+        if not _JUDGED.match(statement.text):
+            continue
+        for helper in _CONDITION.finditer(statement.text):
+            for text in helper[1].split(", "):
+                if text in judged:
+                    element = judged[text]
+                    name = f"{element.argument.name}[{element.index}]"
+                    yield "range", name, _meaning(element.argument, element.index), statement
 
 
 def _meaning(argument: ir.Argument, position: int) -> str:

@@ -65,7 +65,7 @@ def _entry_facts(entry: Entry) -> dict[str, object]:
         "conventions": tuple(model.conventions(entry.options)),
         "maximum": entry.maximum if model.mapped else None,
         "items": ir.Items(entry.items),
-        "guarded": entry.guarded,
+        "guards": ir.Guards(entry.guards),
         "column_major": entry.column_major,
         "single_difference": entry.single_difference,
     }
@@ -81,7 +81,7 @@ def _layout_facts(name: str) -> dict[str, object]:
         "conventions": (),
         "maximum": None,
         "items": ir.Items.REJECT,
-        "guarded": True,
+        "guards": ir.Guards.STATUS,
         "column_major": False,
         "single_difference": False,
     }

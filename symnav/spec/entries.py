@@ -288,7 +288,7 @@ def entry(draft: Draft) -> Entry:
         items=table.items,
         single_difference=table.difference == "single",
         column_major=table.order == "column",
-        guarded=table.guards == "status",
+        guards=table.guards,
         scalars=draft.scalars,
     )
 

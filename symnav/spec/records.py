@@ -101,7 +101,7 @@ class Entry:
         items: ``skip`` or ``reject``.
         single_difference: True when the differenced form is wanted.
         column_major: True when dense Jacobians are stored by column.
-        guarded: False when checks are left out.
+        guards: ``status``, ``outer`` or ``assume``: where checks stand.
         scalars: scalar types it is emitted in, ``double`` first.
     """
 
@@ -117,7 +117,7 @@ class Entry:
     items: str = "skip"
     single_difference: bool = False
     column_major: bool = False
-    guarded: bool = True
+    guards: str = "status"
     scalars: tuple[str, ...] = ("double",)
 
 

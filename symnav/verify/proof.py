@@ -189,7 +189,7 @@ def _domain(proof: _FunctionProof, ok: NDArray[np.bool_]) -> tuple[Indices, list
     Without guards the code has no verdict: the terms that they would watch are evaluated here.
     """
     derivation = proof.derivation
-    if derivation.entry is not None and not derivation.entry.guarded:
+    if derivation.entry is not None and derivation.entry.guards == "assume":
         inside = ScaleOf(derivation).inside(proof.samples.flat())
         if not inside.all():
             proof.notes.append(

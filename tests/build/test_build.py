@@ -139,7 +139,7 @@ def test_name_depends_on_all_that_matters(package: Path, monkeypatch: pytest.Mon
 
 def test_native_build_gives_the_same_bits(tmp_path: Path) -> None:
     """Wider vectors, but no operation is fused: a batch is still one call after the other."""
-    function = modules.antenna(guarded=False)
+    function = modules.antenna(guards=ir.Guards.ASSUME)
     package = write_package(tmp_path, modules.module(function))
     samples = [draw(function, seed) for seed in range(40)]
     plain, native = (
@@ -160,7 +160,7 @@ def test_native_build_gives_the_same_bits(tmp_path: Path) -> None:
 )
 def test_dispatch_gives_the_same_bits(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Loops for wide registers are there, the loader picks, and nothing changes but the time."""
-    function = modules.antenna(guarded=False)
+    function = modules.antenna(guards=ir.Guards.ASSUME)
     package = write_package(tmp_path, modules.module(function))
     samples = [draw(function, seed) for seed in range(40)]
     wide = Library(load_extension(build.build(package)), "rover", np.float64)

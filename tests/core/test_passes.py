@@ -124,7 +124,7 @@ def straight_line(*steps: ir.Statement) -> ir.Function:
     argument = ir.Argument("x", 2, False, False, (domain,))
     return ir.Function(
         "f", ir.Role.MEASUREMENT, "", "", "", (), (argument,), steps, (), (output,), None,
-        ir.Items.SKIP, True, False, False,
+        ir.Items.SKIP, ir.Guards.STATUS, False, False,
     )  # fmt: skip
 
 

@@ -180,7 +180,7 @@ def function(name: str, arguments: Sequence[ir.Argument], **more: object) -> ir.
         outputs=(),
         maximum=None,
         items=ir.Items.SKIP,
-        guarded=True,
+        guards=ir.Guards.STATUS,
         column_major=False,
         single_difference=False,
     )

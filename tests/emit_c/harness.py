@@ -130,6 +130,17 @@ class Library:
         status = self.call(function.name + variant, [*arguments, *outputs.values()])
         return Outcome(status, outputs)
 
+    def border(self, function: ir.Function, values: Mapping[str, Array], n: int = 0) -> Outcome:
+        """Call the function that checks inputs."""
+        first, *rest = self.inputs(function, values).values()
+        outputs: dict[str, NDArray[Any]] = {}
+        count: list[object] = []
+        if function.maximum is not None:
+            outputs["item_status"] = np.full(function.maximum, UNTOUCHED_BYTE, np.uint8)
+            count = [n]
+        status = self.call(f"{function.name}_check", [first, *count, *rest, *outputs.values()])
+        return Outcome(status, outputs)
+
     def batch(
         self,
         function: ir.Function,

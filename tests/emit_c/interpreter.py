@@ -121,12 +121,12 @@ def _check_inputs(function: ir.Function, inputs: Mapping[str, Array], *, item: b
     for argument in arguments:
         for domain in argument.domains:
             values = inputs[argument.name][domain.start : domain.start + domain.size]
-            if not (function.guarded or domain.kind is ir.Kind.INTEGER):
+            if not (function.checks_inputs or domain.kind is ir.Kind.INTEGER):
                 continue
             for value, lower, upper in zip(values, domain.lower, domain.upper, strict=True):
                 if not (np.isfinite(value) and lower <= value <= upper):
                     raise Failure(ir.Status.RANGE)
-    for argument in arguments if function.guarded else ():
+    for argument in arguments if function.checks_inputs else ():
         for domain in argument.domains:
             values = inputs[argument.name][domain.start : domain.start + domain.size]
             _check_norm(domain, [mp.mpf(float(value)) for value in values])
@@ -160,7 +160,7 @@ def _run(
         value = _value(step.value, inputs, names)
         if (
             isinstance(step, ir.Check)
-            and function.guarded
+            and function.checks_domain
             and not (step.lower <= value <= step.upper)
         ):
             raise Failure(step.status)

@@ -15,7 +15,7 @@ from tests.emit_c.interpreter import evaluate
 from tests.emit_c.samples import changed, draw
 
 FUNCTIONS = {function.name: function for function in modules.all_functions()}
-GUARDED = [name for name, function in FUNCTIONS.items() if function.guarded]
+GUARDED = [name for name, function in FUNCTIONS.items() if function.checks_inputs]
 Status = ir.Status
 
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from symnav import ir
 from tests.emit_c import modules
-from tests.emit_c.harness import UNTOUCHED, Library, Outcome
+from tests.emit_c.harness import UNTOUCHED, UNTOUCHED_BYTE, Library, Outcome
 from tests.emit_c.interpreter import evaluate
 from tests.emit_c.samples import Inputs, draw
 
@@ -76,7 +76,9 @@ def test_one_epoch(library: Library, name: str, seed: int) -> None:
         assert_close(found, expected.outputs[output.name], inputs, library)
 
 
-@pytest.mark.parametrize("name", [name for name in SINGLE if name not in ("retract", "all")])
+@pytest.mark.parametrize(
+    "name", [name for name in SINGLE if name not in ("retract", "all", "all_outer")]
+)
 def test_one_epoch_variants(library: Library, name: str) -> None:
     """Values, Jacobians and non-zeros alone are the same bits as the joint call."""
     function = FUNCTIONS[name]
@@ -112,7 +114,9 @@ def test_items(library: Library, name: str, n: int) -> None:
     expected = evaluate(function, inputs, n)
     found = library.evaluate(function, inputs, n)
     assert found.status is expected.status
-    assert list(found["item_status"][:n]) == expected.item_status
+    # Where what the items share fails, none of them is looked at.
+    statuses = [int(status) for status in expected.item_status] or [UNTOUCHED_BYTE] * n
+    assert list(found["item_status"][:n]) == statuses
     if expected.status not in (ir.Status.OK, ir.Status.PARTIAL):
         assert found.untouched
         return
@@ -184,7 +188,7 @@ def test_batch(library: Library, name: str, epochs: int) -> None:
     function = FUNCTIONS[name]
     samples = [sample(function, seed, 0, library) for seed in range(epochs)]
     for spoilt in samples[3::7]:
-        spoilt["x"][0] = np.nan
+        spoilt[function.arguments[0].name][0] = np.nan
     found = library.batch(function, samples)
     expected = [library.evaluate(function, one) for one in samples]
     assert list(found["status"]) == [one.status for one in expected]

@@ -120,7 +120,7 @@ def _load(function: ir.Function, scope: _Scope, arguments: Sequence[ir.Argument]
 
     An element out of its range is replaced, so that the arithmetic that follows is defined.
     """
-    watched = [a for a in arguments if function.guarded or a.integer]
+    watched = [a for a in arguments if function.checks_inputs or a.integer]
     for argument in watched:
         for domain in argument.domains:
             for number, (low, high) in enumerate(zip(domain.lower, domain.upper, strict=True)):
@@ -153,7 +153,7 @@ def _skew(domain: ir.Domain, part: Sequence[float]) -> float:
 def _run(function: ir.Function, steps: Sequence[ir.Step], scope: _Scope) -> None:
     for step in steps:
         value = _value(step.value, scope)
-        if isinstance(step, ir.Check) and function.guarded:
+        if isinstance(step, ir.Check) and function.checks_domain:
             passed = math.isfinite(value) and step.lower <= value <= step.upper
             if not passed:
                 scope.note(step.status)

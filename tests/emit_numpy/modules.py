@@ -357,4 +357,4 @@ def module(*functions: ir.Function, name: str = "rover") -> ir.Module:
 
 def unguarded(function: ir.Function) -> ir.Function:
     """The same without its checks."""
-    return replace(function, guarded=False)
+    return replace(function, guards=ir.Guards.ASSUME)

@@ -128,7 +128,7 @@ def function(
         outputs=tuple(outputs),
         maximum=maximum,
         items=items,
-        guarded=True,
+        guards=ir.Guards.STATUS,
         column_major=False,
         single_difference=single_difference,
     )

@@ -18,6 +18,8 @@ from symnav.export import Bundle
 
 MODELS = tuple(name for name, _ in pipeline.shipped())
 QUICK = (("reference_relative", "double"), ("rover", "float"))
+OUTER = ("rover", "double outer")
+"""A bundle whose inputs are checked at the caller's border; the other has them in every call."""
 SCALARS = ("double", "float")
 ALL = tuple((model, scalar) for model in MODELS for scalar in SCALARS)
 
@@ -30,21 +32,26 @@ def cases(
 ) -> list[object]:
     """Some bundles in every run, others in the slow one."""
     marks = dict.fromkeys(slow, (pytest.mark.slow,)) | dict.fromkeys(quick, ())
-    return [pytest.param(*case, id="-".join(case), marks=mark) for case, mark in marks.items()]
+    return [
+        pytest.param(*case, id="-".join(case).replace(" ", "-"), marks=mark)
+        for case, mark in marks.items()
+    ]
 
 
 @functools.cache
 def bundle_of(model: str, scalar: str) -> Path:
     """A folder with the bundle of a shipped model; to be read, not written."""
-    folder = _FOLDER / f"{model}-{scalar}"
-    pipeline.export(pipeline.load(model), folder, scalar=scalar)
+    folder = _FOLDER / f"{model}-{scalar.replace(' ', '-')}"
+    kind, _, guards = scalar.partition(" ")
+    pipeline.export(pipeline.load(model), folder, scalar=kind, guards=guards or None)
     return folder
 
 
 @functools.cache
 def records_of(model: str, scalar: str) -> Bundle:
     """What the bundle was assembled from."""
-    return pipeline.bundle(pipeline.load(model), scalar)
+    kind, _, guards = scalar.partition(" ")
+    return pipeline.bundle(pipeline.load(model), kind, guards=guards or None)
 
 
 def files(folder: Path) -> dict[str, bytes]:
@@ -74,7 +81,7 @@ def run(
 
 def copy_of(model: str, scalar: str, folder: Path) -> Path:
     """A copy of the bundle of a shipped model that a test may change."""
-    target = folder / f"{model}_{scalar}"
+    target = folder / f"{model}_{scalar.replace(' ', '_')}"
     shutil.copytree(bundle_of(model, scalar), target)
     return target
 

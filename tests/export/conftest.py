@@ -19,7 +19,7 @@ def bundle(tmp_path_factory: pytest.TempPathFactory) -> Exported:
 
     def export(model: str, scalar: str) -> Path:
         if (model, scalar) not in known:
-            folder = tmp_path_factory.mktemp(f"{model}_{scalar}")
+            folder = tmp_path_factory.mktemp(f"{model}_{scalar}".replace(" ", "_"))
             known[model, scalar] = hosts.exported(model, scalar, folder)
         return known[model, scalar]
 

@@ -90,6 +90,13 @@ def sources(folder: Path) -> Sequence[Path]:
 
 
 def exported(model: str, scalar: str, folder: Path) -> Path:
-    """A bundle of a shipped model, as a user gets it."""
-    pipeline.export(pipeline.load(model), folder, scalar=scalar)
+    """A bundle of a shipped model, as a user gets it.
+
+    Args:
+        model: its name.
+        scalar: type, and behind a space where checks stand if that is chosen.
+        folder: becomes the bundle.
+    """
+    kind, _, guards = scalar.partition(" ")
+    pipeline.export(pipeline.load(model), folder, scalar=kind, guards=guards or None)
     return folder

@@ -19,7 +19,7 @@ from symnav.emit.c.store import layout_of
 from symnav.export import building, metrics
 from symnav.export.deviations import DEVIATIONS
 from symnav.lower.passes.counts import count_operations
-from tests.export.bundles import MODELS, bundle_of, cases, records_of, run
+from tests.export.bundles import MODELS, OUTER, QUICK, bundle_of, cases, records_of, run
 
 needs_gcc = pytest.mark.skipif(shutil.which("gcc") is None, reason="needs gcc")
 
@@ -82,15 +82,23 @@ def test_layout_tables_are_what_the_compiler_sees(model: str, scalar: str, tmp_p
     run(["./layout"], tmp_path)
 
 
-@pytest.mark.parametrize(("model", "scalar"), cases())
+@pytest.mark.parametrize(("model", "scalar"), cases((*QUICK, OUTER)))
 def test_ranges_are_those_of_the_guards(model: str, scalar: str) -> None:
     """The limits that stand in the C, whose lines the trace table names."""
     folder = bundle_of(model, scalar)
-    guards = {
-        (row["function"], row["element"]): limits(row["statement"])
-        for row in csv.DictReader(io.StringIO((folder / "docs/trace.csv").read_text()))
-        if row["kind"] == "input"
+    table = list(csv.DictReader(io.StringIO((folder / "docs/trace.csv").read_text())))
+    copies = {
+        (row["function"], row["element"]): row["statement"].split(" = ")[0]
+        for row in table
+        if row["kind"] == "input" and row["statement"].startswith("in->")
     }
+    guards = {}
+    for row in table:
+        place = (row["function"], row["element"])
+        if row["kind"] == "range":
+            guards[place] = judged(row["statement"], (row["element"], copies.get(place, "none")))
+        elif row["kind"] == "input" and "|= " in row["statement"]:
+            guards[place] = limits(row["statement"])
     inputs = with_columns((folder / "docs/ICD.md").read_text(), "input", "range")
     described = [s for tree in records_of(model, scalar).trees for s in c.sections(tree.module)]
     compared = 0
@@ -112,11 +120,23 @@ def test_ranges_are_those_of_the_guards(model: str, scalar: str) -> None:
 
 def limits(statement: str) -> tuple[float, float]:
     """Lower and upper limit of a statement that checks an input."""
-    name, *arguments = re.split(r"[(,]\s*", statement.split("|= ")[1])
+    name, *arguments = re.split(r"[(),]\s*", statement.split("|= ")[1])
     numbers = [float(re.sub(r"F$", "", text)) for text in arguments if re.match(r"-?\d", text)]
     if name in ("take_centred", "is_beyond"):
         return -numbers[0], numbers[0]
     return numbers[0], numbers[1]
+
+
+def judged(statement: str, texts: tuple[str, str]) -> tuple[float, float]:
+    """The same of a condition on runs of elements, for the run one element is in."""
+    (found,) = (
+        (name, words)
+        for name, inside in re.findall(r"\b(is_\w+|are_\w+)\(([^()]*)\)", statement)
+        if set(texts) & set(words := inside.split(", "))
+    )
+    name, words = found
+    end = float(re.sub(r"F$", "", words[-1]))
+    return (-end, end) if "centred" in name else (float(re.sub(r"F$", "", words[-2])), end)
 
 
 @pytest.mark.parametrize(("model", "scalar"), cases())

@@ -101,7 +101,7 @@ def test_guards_of_inputs(scalar: ir.Scalar, kind: type[np.floating]) -> None:
     outcome = evaluate(function, scalar, rows)
     assert outcome.status.tolist() == [0, 0, 2, 2, 2, 4, 0, 0, 2]
     assert all(np.isfinite(a).all() and a.dtype == kind for a in outcome.outputs.values())
-    unguarded = evaluate(replace(function, guarded=False), scalar, rows)
+    unguarded = evaluate(replace(function, guards=ir.Guards.ASSUME), scalar, rows)
     assert not unguarded.status.any()
     assert np.isnan(unguarded.outputs["value"][3, 0])
 

@@ -12,6 +12,7 @@ from symnav import pipeline
 from symnav.errors import ProofError
 from symnav.export import coverage
 from symnav.spec import from_table
+from tests.export.bundles import OUTER
 from tests.export.conftest import Exported
 from tests.export.hosts import HOSTS, Host
 
@@ -19,9 +20,10 @@ EVERYTHING = [(name, scalar) for name, _ in pipeline.shipped() for scalar in ("d
 FEW = [
     *(("reference_relative", "float", host) for host in HOSTS),
     *(("rover", "float", host) for host in ("gcc", "tcc")),
+    (*OUTER, "gcc"),
     ("farrell_tightly_coupled", "double", "tcc"),
 ]
-REACHED = [("rover", "float"), ("reference_relative", "float")]
+REACHED = [("rover", "float"), OUTER, ("reference_relative", "float")]
 SUMMARY = re.compile(r"(\w+): (\d+) checks, (\d+) failures")
 #: Builds in no time; where it is missing, gcc does.
 PLAIN = HOSTS["tcc"] if shutil.which("tcc") else Host(("gcc", "-std=c99", "-O0", "-w"))
@@ -123,15 +125,25 @@ MISTAKES = {
     ),
     "index of an input": (
         "rover_f32_gps_kernel.h",
-        r"take_centred\(x\[17 \*",
-        "take_centred(x[16 *",
+        r"antenna_y = x\[17\]",
+        "antenna_y = x[16]",
     ),
     "bound, by its last place": (
         "rover_f32_gps_kernel.h",
-        r"(x\[16 \* stride\]), 10\.0F",
+        r"(in->antenna_z), 10\.0F",
         r"\1, 9.999999F",
     ),
     "norm is not looked at": ("rover_f32_gps_kernel.h", r"skewed \|= is_skewed", "(void)is_skewed"),
+    "element of a run is forgotten": (
+        "rover_f32_check.h",
+        r"is_centred\(b, bound\) && (is_centred\(c)",
+        r"\1",
+    ),
+    "range of a call is forgotten": (
+        "rover_f32_gps_kernel.h",
+        r"inside = inside && are_three_centred\([^;]*;\n",
+        "",
+    ),
     "range is forgotten": (
         "rover_range_kernel.h",
         r"outside \|= (take_value\(troposphere)",
@@ -187,6 +199,39 @@ def test_finds(mistake: str, bundle: Exported, tmp_path: Path) -> None:
     ran = PLAIN.run(tmp_path / "tests")
     # A null pointer that is not looked at ends the program.
     assert ran.returncode == (-11 if mistake == "pointer" else 1), ran.stdout
+
+
+BORDER_MISTAKES = {
+    "bound": ("rover_gps_check.c", r"(x\[18\]), 10\.0", r"\1, 9.99999999999"),
+    "norm is not looked at": ("rover_gps_check.c", r"skewed \|= is_skewed", "(void)is_skewed"),
+    "item is not looked at": ("rover_range_check.c", r"item_status\[i\] = \(uint8_t\)loaded;", ""),
+    "bad item passes": ("rover_range_check.c", r"failed \|= loaded", "failed |= 0U"),
+    "count": (
+        "rover_range_check.c",
+        r"n <= ROVER_RANGE_MAX_ITEMS",
+        "n <= ROVER_RANGE_MAX_ITEMS + 1",
+    ),
+    "integer is not looked at": (
+        "rover_range_kernel.h",
+        r"outside \|= take_index",
+        "(void)take_index",
+    ),
+    "geometry is not looked at": (
+        "rover_range_kernel.h",
+        r"range_squared_ok \? \(rover_flag_t\)ROVER_OK : \(rover_flag_t\)ROVER_DOMAIN",
+        "(rover_flag_t)ROVER_OK",
+    ),
+}
+
+
+@pytest.mark.parametrize("mistake", BORDER_MISTAKES)
+def test_finds_at_the_border(mistake: str, bundle: Exported, tmp_path: Path) -> None:
+    PLAIN.skip_without_tools()
+    folder = copied(bundle(*OUTER), tmp_path)
+    path, pattern, by = BORDER_MISTAKES[mistake]
+    broken(folder, f"src/{path}", pattern, by)
+    PLAIN.build(folder, tmp_path / "tests")
+    assert PLAIN.run(tmp_path / "tests").returncode == 1
 
 
 DIFFERENCE_MISTAKES = {

@@ -14,7 +14,7 @@ import pytest
 from symnav import pipeline
 from symnav.export import provenance
 from symnav.spec.builder import build, frame, measurement, vector
-from tests.export.bundles import ALL, QUICK, bundle_of, cases, files, run
+from tests.export.bundles import ALL, OUTER, QUICK, bundle_of, cases, files, run
 
 FLOAT = tuple(case for case in ALL if case[1] == "float")
 
@@ -23,7 +23,7 @@ def bill_of(folder: Path) -> Any:
     return json.loads((folder / provenance.BILL).read_text())
 
 
-@pytest.mark.parametrize(("model", "scalar"), cases())
+@pytest.mark.parametrize(("model", "scalar"), cases((*QUICK, OUTER)))
 def test_manifest_lists_every_file_and_the_specification(model: str, scalar: str) -> None:
     folder = bundle_of(model, scalar)
     manifest = json.loads((folder / "manifest.json").read_text())
@@ -32,7 +32,9 @@ def test_manifest_lists_every_file_and_the_specification(model: str, scalar: str
     digests = {path: hashlib.sha256(content).hexdigest() for path, content in found.items()}
     assert manifest["files"] == digests
     assert manifest["specification"] == digests["spec.json"]
-    assert manifest["options"] == {"scalar": scalar, "tolerance": None, "batches": False}
+    kind, _, guards = scalar.partition(" ")
+    chosen = {"tolerance": None, "batches": False, "guards": guards or None}
+    assert manifest["options"] == {"scalar": kind, **chosen}
     for path, content in found.items():
         if path.endswith((".c", ".h")) and path.startswith(("src/", "include/")):
             assert manifest["specification"][:16].encode() in content, path

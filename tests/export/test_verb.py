@@ -13,7 +13,7 @@ from click.testing import CliRunner
 
 from symnav import pipeline
 from symnav.cli import main
-from tests.export.bundles import bundle_of, files, run
+from tests.export.bundles import OUTER, bundle_of, files, run
 
 
 def export(*words: str) -> str:
@@ -55,9 +55,11 @@ def test_page_of_the_documentation(tmp_path: Path) -> None:
     """Its C compiles against the bundle it speaks of, and every path of its table is there."""
     page = (Path(__file__).parents[2] / "docs/export.md").read_text(encoding="utf-8")
     folder = bundle_of("rover", "float")
-    (code,) = re.findall(r"^```c\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
-    (tmp_path / "page.c").write_text(code)
-    run(["gcc", "-std=c99", f"-I{folder / 'include'}", "-fsyntax-only", "page.c"], tmp_path)
+    blocks = re.findall(r"^```c\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
+    for code, spoken_of in zip(blocks, (bundle_of(*OUTER), folder), strict=True):
+        (tmp_path / "page.c").write_text(code)
+        include = f"-I{spoken_of / 'include'}"
+        run(["gcc", "-std=c99", "-Werror", include, "-fsyntax-only", "page.c"], tmp_path)
     cells = re.findall(r"^\| (`.*?) \|", page, re.MULTILINE)
     paths = [path for cell in cells for path in re.findall(r"`([^`]+)`", cell)]
     assert len(paths) > 15

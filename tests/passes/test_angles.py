@@ -50,7 +50,7 @@ def test_range_decides(wave: Op, angle: ir.Expression, near: bool) -> None:
     assert changed.shared[1].value == call(Op.NEG, call(expected, angle))
     assert changed.item[0].value == call(expected, "angle")
     assert changed.outputs[0].entries[0].value == call(expected, "angle")
-    same = own_sinusoids(replace(function, guarded=False))
+    same = own_sinusoids(replace(function, guards=ir.Guards.ASSUME))
     assert (same.shared, same.item) == (changed.shared, changed.item)
 
 

@@ -81,7 +81,9 @@ def test_what_stands_in_for_it_counts() -> None:
 
 
 def test_functions_without_guards_are_left_alone() -> None:
-    function = small(check("t", add(a(0), 6.0), 0.5, 100.0), value=ir.Ref("t"), guarded=False)
+    function = small(
+        check("t", add(a(0), 6.0), 0.5, 100.0), value=ir.Ref("t"), guards=ir.Guards.ASSUME
+    )
     assert drop_idle_checks(function) is function
 
 

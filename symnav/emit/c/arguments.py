@@ -20,6 +20,7 @@ LOCALS = frozenset(
             "first",
             "i",
             "in",
+            "inside",
             "item",
             "item_status",
             "k",

@@ -73,20 +73,23 @@ class Blocks:
 
     def helpers(self) -> set[str]:
         """Names of the inline helpers the source file calls."""
-        return {
+        inputs = self.kernel.inputs.lanes
+        fails = self.kernel.fallible and inputs.can_fail(item=False)
+        moving = {
             "indices_to_lanes" if argument.integer else "rows_to_lanes"
             for argument in self.kernel.function.arguments
-            if self.kernel.inputs.runs(argument)
-        } | {"lanes_to_rows"}
+            if inputs.runs(argument)
+        }
+        checking = inputs.helpers() | ({"first_failure"} if fails else set())
+        return moving | checking | {"lanes_to_rows"}
 
     def routines(self) -> list[Routine]:
-        """Functions that copy what was checked, and that store values in full, a stride apart."""
-        inputs = self.kernel.inputs
-        # Without checks, loading is copying.
-        copies = self.kernel.fallible and inputs.copied_arguments
-        copiers = [inputs.copier()] if copies else []
+        """Functions that load side by side, copy what was checked, and store values in full."""
+        inputs = self.kernel.inputs.lanes
+        loaders = [inputs.loader(item=False)] if inputs.checked else []
+        copiers = [inputs.copier()] if self._copies and inputs.copied_arguments else []
         spreads = [store.spreading() for store in self._value_stores() if not store.complete]
-        return [*copiers, *spreads]
+        return [*loaders, *copiers, *spreads]
 
     def context(self, entries: dict[str, EntryPoint]) -> dict[str, object]:
         """What the template says about many epochs."""
@@ -193,7 +196,8 @@ class Blocks:
         """Status of every lane of a block."""
         kernel = self.kernel
         restrict = f"{kernel.target.macro}_RESTRICT"
-        inputs = kernel.inputs
+        inputs = kernel.inputs.lanes
+        fails = inputs.can_fail(item=False)
         given = [f"&{name}[lane]" for name in self._names]
         given += [self.macro] if inputs.load_stride else []
         given += [f"&{INPUT_POINTER}"] if inputs.struct(item=False) else []
@@ -206,28 +210,37 @@ class Blocks:
             ),
             "locals": self._locals(),
             "load": self._statement(
-                call(f"{kernel.local}_load", given), before="const flag_t loaded = ", depth=2
+                call(inputs.loader_name(item=False), given),
+                before="const flag_t loaded = " if fails else "(void)",
+                depth=2,
             ),
+            "verdict": "first_failure(loaded, evaluated)" if fails else "evaluated",
             "evaluate": self._kernel_call(),
         }
+
+    @property
+    def _copies(self) -> bool:
+        """True when what was checked is copied again; where nothing was, loading does that."""
+        inputs = self.kernel.inputs
+        return inputs.can_fail(item=False) or (self.kernel.fallible and not inputs.pointed)
 
     @property
     def _read(self) -> list[str]:
         """Arguments the evaluation reads."""
         inputs = self.kernel.inputs
-        return [a.name for a in inputs.copied_arguments] if self.kernel.fallible else self._names
+        return [a.name for a in inputs.copied_arguments] if self._copies else self._names
 
     def _evaluate(self) -> dict[str, object]:
         """Results of the lanes of a block that were checked."""
-        kernel, inputs = self.kernel, self.kernel.inputs
+        kernel, inputs = self.kernel, self.kernel.inputs.lanes
         struct = inputs.struct(item=False)
         given = [f"&{name}[lane]" for name in self._read]
-        strided = inputs.copy_stride if kernel.fallible else inputs.load_stride
+        strided = inputs.copy_stride if self._copies else inputs.load_stride
         given += [self.macro] if strided else []
-        copy = "copy" if kernel.fallible else "load"
+        copy = "copy" if self._copies else "load"
         text = call(f"{kernel.local}_{copy}", [*given, *([f"&{INPUT_POINTER}"] if struct else [])])
-        void = "" if kernel.fallible else "(void)"
-        wanted = self._read or not kernel.fallible
+        void = "" if self._copies else "(void)"
+        wanted = self._read or not self._copies
         stores = [line for store in self._stores() for line in self._put(store)]
         return {
             "head": self._loop_head("void", "evaluate_lanes", self._read, self._written()[:-1]),

@@ -55,7 +55,7 @@ def _body(function: ir.Function, entry: EntryPoint, target: Target) -> Iterator[
     yield from tagged("@brief", entry.brief)
     yield " *"
     if entry.full:
-        yield from _equation(function)
+        yield from _equation(function, target)
     else:
         yield from paragraph(f"See {target.prefix}_{function.name} for the equation.")
         yield from paragraph(entry.remark) if entry.remark else ()
@@ -67,7 +67,7 @@ def _body(function: ir.Function, entry: EntryPoint, target: Target) -> Iterator[
     yield from tagged("@return", _returns(function, entry))
 
 
-def _equation(function: ir.Function) -> Iterator[str]:
+def _equation(function: ir.Function, target: Target) -> Iterator[str]:
     for line in function.equation.splitlines():
         indent = " " * (len(line) - len(line.lstrip()))
         yield from paragraph(line, lead=f" *     {indent}", hang="  ")
@@ -78,12 +78,18 @@ def _equation(function: ir.Function) -> Iterator[str]:
     for convention in function.conventions:
         yield from paragraph(f"- {convention}", hang="  ")
     yield from paragraph(_operations(function))
-    yield from _guards(function)
+    yield from _guards(function, f"{target.prefix}_{function.name}")
     yield " *"
 
 
-def _guards(function: ir.Function) -> Iterator[str]:
-    if not function.guarded:
+def _guards(function: ir.Function, symbol: str) -> Iterator[str]:
+    if function.checks_at_border:
+        yield from paragraph(
+            f"The caller has checked the inputs with {symbol}_check; they are not looked at again, "
+            "and with any other inputs neither status nor outputs mean anything. Null pointers, "
+            "counts, integer inputs and singularities are checked here."
+        )
+    if not function.checks_domain:
         yield from paragraph(
             "Generated without guards: values are neither range-checked nor checked for "
             "singularities. Null pointers, counts and integer inputs are still checked."
@@ -131,7 +137,8 @@ def statuses(function: ir.Function, entry: EntryPoint) -> list[ir.Status]:
 
 def _returns(function: ir.Function, entry: EntryPoint) -> str:
     possible = statuses(function, entry)
-    listed = (f"{status.name} ({_STATUS_TEXT[status]})" for status in possible)
+    texts = _STATUS_TEXT | ({ir.Status.OK: "every input may be passed on"} if entry.border else {})
+    listed = (f"{status.name} ({texts[status]})" for status in possible)
     return f"{', '.join(listed)}."
 
 
@@ -148,23 +155,30 @@ def _possible(
     if "reference" in names:
         possible.add(ir.Status.INDEX)
     if names & {argument.name for argument in function.arguments}:
-        possible |= _numerical(function)
-    elif function.guarded and "sigma" in names:
+        possible |= _inputs(function, entry)
+        possible |= set() if entry.border else _domain(function)
+    elif function.checks_domain and "sigma" in names:
         possible.add(ir.Status.RANGE)
     if "item_status" in names and function.items is ir.Items.SKIP:
         possible.add(ir.Status.PARTIAL)
     return sorted(possible)
 
 
-def _numerical(function: ir.Function) -> set[ir.Status]:
+def _inputs(function: ir.Function, entry: EntryPoint) -> set[ir.Status]:
+    """What the inputs can do wrong."""
     domains = [domain for argument in function.arguments for domain in argument.domains]
     kinds = {domain.kind for domain in domains}
+    checked = function.checks_inputs or entry.border
     possible: set[ir.Status] = set()
-    if function.guarded or ir.Kind.INTEGER in kinds:
+    if checked or ir.Kind.INTEGER in kinds:
         possible.add(ir.Status.RANGE)
-    if function.guarded:
-        if kinds & {ir.Kind.QUATERNION, ir.Kind.MATRIX}:
-            possible.add(ir.Status.QNORM)
-        steps = (*function.shared, *function.item)
-        possible |= {step.status for step in steps if isinstance(step, ir.Check)}
+    if checked and kinds & {ir.Kind.QUATERNION, ir.Kind.MATRIX}:
+        possible.add(ir.Status.QNORM)
     return possible
+
+
+def _domain(function: ir.Function) -> set[ir.Status]:
+    """What intermediate values can do wrong."""
+    steps = (*function.shared, *function.item)
+    checks = [step for step in steps if isinstance(step, ir.Check)]
+    return {check.status for check in checks} if function.checks_domain else set()

@@ -9,11 +9,13 @@ from collections.abc import Mapping, Sequence
 from symnav import errors, ir
 from symnav.emit.c.arguments import with_free_names
 from symnav.emit.c.blocks import Blocks
+from symnav.emit.c.border import Border
 from symnav.emit.c.comments import fitted
 from symnav.emit.c.difference import Differenced
 from symnav.emit.c.documentation import banner
 from symnav.emit.c.entry_points import Single
 from symnav.emit.c.header import Section, functions_header, types_header
+from symnav.emit.c.items import ItemLoops
 from symnav.emit.c.kernel import Kernel
 from symnav.emit.c.mapped import Mapped
 from symnav.emit.c.slots import refuse_slots_beyond
@@ -26,6 +28,12 @@ _HELPERS: Mapping[str, tuple[str, ...]] = {
     "first_failure": (),
     "is_within": (),
     "is_centred": (),
+    "are_two_within": ("is_within",),
+    "are_three_within": ("is_within",),
+    "are_four_within": ("is_within",),
+    "are_two_centred": ("is_centred",),
+    "are_three_centred": ("is_centred",),
+    "are_four_centred": ("is_centred",),
     "is_equal": (),
     "is_outside": ("is_within",),
     "is_beyond": ("is_centred",),
@@ -61,7 +69,7 @@ def emit(module: ir.Module) -> dict[str, str]:
     target = target_of(module)
     sources = _sources_of(module, target)
     kernels = [source.kernel for source in sources]
-    described = [Section(source.kernel, source.entry_points()) for source in sources]
+    described = [_section(source) for source in sources]
     _refuse_collisions(described)
     include, src = f"c/include/{target.prefix}", "c/src"
     files = {
@@ -76,6 +84,10 @@ def emit(module: ir.Module) -> dict[str, str]:
         files[f"{src}/{symbol}_kernel.h"] = _kernel_header(module, source.kernel)
         lead = banner(module, f"{symbol}.c", f"{title}: entry points.")
         files[f"{src}/{symbol}.c"] = source.source(lead)
+        if source.kernel.function.checks_at_border:
+            border = Border(source.kernel)
+            lead = banner(module, f"{border.symbol}.c", f"{title}: check of the inputs.")
+            files[f"{src}/{border.symbol}.c"] = border.source(lead)
     return {path: _finished(text, target) for path, text in files.items()}
 
 
@@ -95,8 +107,14 @@ def _with_own_flags(text: str, target: Target) -> str:
 
 def sections(module: ir.Module) -> tuple[Section, ...]:
     """Every function of a module with its entry points, in the order of the header."""
-    sources = _sources_of(module, target_of(module))
-    return tuple(Section(source.kernel, source.entry_points()) for source in sources)
+    return tuple(_section(source) for source in _sources_of(module, target_of(module)))
+
+
+def _section(source: Single | Mapped | Differenced) -> Section:
+    """A function with all its entry points."""
+    kernel = source.kernel
+    border = [Border(kernel).entry_point()] if kernel.function.checks_at_border else []
+    return Section(kernel, [*source.entry_points(), *border])
 
 
 def _sources_of(module: ir.Module, target: Target) -> list[Single | Mapped | Differenced]:
@@ -132,11 +150,14 @@ def _kernel_header(module: ir.Module, kernel: Kernel) -> str:
 
 def _check_header(module: ir.Module, target: Target, kernels: Sequence[Kernel]) -> str:
     wanted = set().union(*(kernel.helpers() for kernel in kernels))
-    if module.batches or any(kernel.mapped for kernel in kernels):
-        wanted.add("first_failure")
+    border = [Border(kernel) for kernel in kernels if kernel.function.checks_at_border]
+    wanted |= set().union(*(one.helpers() for one in border))
+    wanted |= set().union(*(ItemLoops(kernel).helpers() for kernel in kernels if kernel.mapped))
     if module.batches:
         wanted.update(*(Blocks(kernel).helpers() for kernel in kernels if not kernel.mapped))
-    if any(kernel.function.single_difference and kernel.function.guarded for kernel in kernels):
+    if any(
+        kernel.function.single_difference and kernel.function.checks_domain for kernel in kernels
+    ):
         wanted.add("take_value")
     for helper in reversed(tuple(_HELPERS)):
         if helper in wanted:

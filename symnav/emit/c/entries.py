@@ -19,6 +19,7 @@ class EntryPoint:
         parameters: in order.
         full: True for the one that carries the whole documentation.
         remark: what else its callers need to know.
+        border: True for the one that checks inputs and evaluates nothing.
     """
 
     symbol: str
@@ -26,6 +27,7 @@ class EntryPoint:
     parameters: tuple[Parameter, ...]
     full: bool = False
     remark: str = ""
+    border: bool = False
 
     def prototype(self, status: str) -> tuple[str, ...]:
         """Its head, on as many lines as it needs."""

@@ -64,6 +64,8 @@ class Single:
             target=self.kernel.target,
             symbol=symbol,
             routines=self._routines(),
+            load_fails=self.kernel.inputs.can_fail(item=False),
+            kernel_fails=self.kernel.shared_fails,
             calls=calls,
             blocks=Blocks(self.kernel).context(entries) if self.batches else None,
         )
@@ -113,14 +115,20 @@ class Single:
 
     def _call_context(self, entry: EntryPoint, stores: Sequence[str]) -> dict[str, object]:
         names = [argument.name for argument in self.kernel.function.arguments]
+        depth = 3 if self._can_fail else 2
         return {
             "head": entry.prototype(self.kernel.target.status),
             "pointers": comments.code(f"if ({entry.pointers}) {{"),
             "locals": self._locals(),
             "load": self._load(names),
             "evaluate": self._evaluate(),
-            "stores": [line for store in stores for line in comments.code(store, depth=3)],
+            "stores": [line for store in stores for line in comments.code(store, depth=depth)],
         }
+
+    @property
+    def _can_fail(self) -> bool:
+        """True when a call with its pointers can refuse to store."""
+        return self.kernel.inputs.can_fail(item=False) or self.kernel.shared_fails
 
     def _locals(self) -> list[str]:
         struct = self.kernel.inputs.struct(item=False)

@@ -12,15 +12,15 @@ all the copies first keeps more of them than a processor has registers.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from symnav import ir
 from symnav.emit.c import comments
 from symnav.emit.c.elements import Element, elements_of
-from symnav.emit.c.literals import integer_bounds
 from symnav.emit.c.names import Names
 from symnav.emit.c.pieces import Field, Routine, Struct, head
+from symnav.emit.c.ranges import has_norm, judged_loads, limits_of, runs_of
 from symnav.emit.c.slots import Span
 from symnav.emit.c.target import Target
 
@@ -39,7 +39,8 @@ class Inputs:
         copied: those that loading copies.
         pointed: those a kernel reads from where the caller keeps them, into a local.
         chosen: for a load by a run-time slot, the array it chooses from.
-        guarded: True when every element is checked.
+        checked: True when every element is checked.
+        strided: True when elements of an epoch may be a distance apart.
     """
 
     target: Target
@@ -48,7 +49,7 @@ class Inputs:
     copied: frozenset[ir.Load]
     pointed: frozenset[ir.Load]
     chosen: Mapping[ir.Load, Span]
-    guarded: bool
+    checked: bool
     strided: bool
 
     @cached_property
@@ -128,7 +129,7 @@ class Inputs:
         )
         kind, scope = ("item", "one item of ") if item else ("input", "")
         brief = f"Inputs of {scope}{self.name} as its kernel reads them"
-        state = ", each finite and inside its declared range." if self.guarded else ", unchecked."
+        state = ", each finite and inside its declared range." if self.checked else ", unchecked."
         return Struct(f"{self.name}_{kind}_t", brief + state, tuple(fields))
 
     def loader(self, *, item: bool) -> Routine:
@@ -140,13 +141,35 @@ class Inputs:
         declarations += ["int32_t stride"] if self.load_stride and not item else []
         if struct:
             declarations.append(f"{struct.name} *{pointer}")
-        name = f"{self.name}_load{'_item' if item else ''}"
-        deed = "Check and copy" if self.guarded or self.copied else "Point at"
         return Routine(
-            brief=f"{deed} the inputs of {'one item' if item else 'one call'}.",
-            head=head(f"{self.target.macro}_INLINE flag_t", name, declarations),
-            body=tuple(self._loading(arguments)),
+            brief=f"{self._deed} the inputs of {self._scope(item)}.",
+            head=head(
+                f"{self.target.macro}_INLINE flag_t", self.loader_name(item=item), declarations
+            ),
+            body=tuple(self._loading(arguments, item=item)),
         )
+
+    def loader_name(self, *, item: bool) -> str:
+        """Name of that function."""
+        lane = self.checked and self.strided
+        return f"{self.name}_load{'_item' if item else '_lane' if lane else ''}"
+
+    @cached_property
+    def lanes(self) -> Inputs:
+        """The same for epochs that lie side by side and are loaded side by side."""
+        return replace(self, strided=True)
+
+    def _scope(self, item: bool) -> str:
+        """Whose inputs loading looks at."""
+        lane = self.checked and self.strided
+        return "one item" if item else "one epoch beside others" if lane else "one call"
+
+    @property
+    def _deed(self) -> str:
+        """What loading does."""
+        if self.copied:
+            return "Check and copy"
+        return "Check" if self.checked else "Point at"
 
     def copier(self) -> Routine:
         """The function that copies the inputs of one call that were checked before."""
@@ -185,6 +208,11 @@ class Inputs:
         """The same for the function that only copies."""
         return self.strided and any(element.index for element in self._copied(item=False))
 
+    def can_fail(self, *, item: bool) -> bool:
+        """True when the loader of one call, or of one item, checks something."""
+        arguments = [argument for argument in self.arguments if argument.item is item]
+        return bool(arguments) and (self.checked or any(a.integer for a in arguments))
+
     def runs(self, argument: ir.Argument) -> list[tuple[int, int]]:
         """First element and length of every run of elements that loading looks at."""
         found: list[tuple[int, int]] = []
@@ -217,15 +245,20 @@ class Inputs:
     def helpers(self) -> set[str]:
         """Names of the check functions the loaders call."""
         names: set[str] = set()
-        for element in self.elements:
-            unchecked = not (self.guarded or element.argument.integer)
-            if unchecked or element.domain.kind is ir.Kind.UNREAD:
-                continue
-            take, test, _ = self._range_check(element)
-            names.add(take if self._is_copied(element) else test)
-            if self.guarded and element.domain.kind in (ir.Kind.QUATERNION, ir.Kind.MATRIX):
-                names.add(f"is_skewed_{element.domain.kind.value}")
+        for argument in self.arguments:
+            for domain in argument.domains:
+                names |= self._domain_helpers(argument, domain)
         return names
+
+    def _domain_helpers(self, argument: ir.Argument, domain: ir.Domain) -> set[str]:
+        elements = self._domain_elements(argument, domain)
+        names: set[str] = set()
+        if self._is_flagged(argument):
+            limits = [(limits_of(e, self.target), self._is_copied(e)) for e in elements]
+            names |= {one.take if copied else one.test for one, copied in limits}
+        if self._is_judged(argument):
+            names |= {one.condition(len(run)) for one, run in runs_of(elements, self.target)}
+        return names | ({f"is_skewed_{domain.kind.value}"} if self._is_normed(domain) else set())
 
     @cached_property
     def _pointers(self) -> dict[str, str]:
@@ -248,7 +281,7 @@ class Inputs:
         return element.load in self.copied
 
     def _is_loaded(self, element: Element) -> bool:
-        checked = self.guarded or element.argument.integer
+        checked = self.checked or element.argument.integer
         read = checked and element.domain.kind is not ir.Kind.UNREAD
         return read or self._is_copied(element) or element.load in self.pointed
 
@@ -264,77 +297,112 @@ class Inputs:
             if element.argument.item is item and self._is_copied(element):
                 yield element
 
-    def _loading(self, arguments: list[ir.Argument]) -> Iterator[str]:
-        ranged = self.guarded or any(argument.integer for argument in arguments)
-        skewed = self.guarded and any(
-            domain.kind in (ir.Kind.QUATERNION, ir.Kind.MATRIX)
-            for argument in arguments
-            for domain in argument.domains
-        )
-        if ranged and arguments:
+    def _loading(self, arguments: list[ir.Argument], *, item: bool) -> Iterator[str]:
+        flagged = any(self._is_flagged(argument) for argument in arguments)
+        skewed = any(self._is_normed(d) for argument in arguments for d in argument.domains)
+        if flagged:
             yield "    flag_t outside = 0U;"
         if skewed:
             yield "    flag_t skewed = 0U;"
-        if self.points_far and arguments and not arguments[0].item:
+        if self.points_far and arguments and not item:
             yield f"    {INPUT_POINTER}->{self._stride} = stride;"
         for argument in arguments:
             if argument.name in self._pointers:
                 yield f"    {INPUT_POINTER}->{self._pointers[argument.name]} = {argument.name};"
             for domain in argument.domains:
-                yield from self._loading_domain(argument, domain)
+                lines = self._loading_domain(argument, domain)
+                yield from ["", _comment(domain), *lines] if lines else []
+        conditions = self._conditions(arguments)
+        for lines in (conditions, self._norms(arguments)):
+            yield from ["", *lines] if lines else []
         yield ""
-        yield from self._verdict(ranged=ranged and bool(arguments), skewed=skewed)
+        yield from self._verdict(flagged=flagged, judged=bool(conditions), skewed=skewed)
 
-    def _loading_domain(self, argument: ir.Argument, domain: ir.Domain) -> Iterator[str]:
+    def _is_flagged(self, argument: ir.Argument) -> bool:
+        """True where every element is looked at when it is copied, and one by one.
+
+        So it is where others, of items or of epochs, are loaded side by side.
+        """
+        return argument.integer or (self.checked and (argument.item or self.strided))
+
+    def _is_normed(self, domain: ir.Domain) -> bool:
+        return self.checked and has_norm(domain)
+
+    def _domain_elements(self, argument: ir.Argument, domain: ir.Domain) -> list[Element]:
+        """The elements of a domain that anything reads."""
         if domain.kind is ir.Kind.UNREAD:
-            return
+            return []
+        places = range(domain.start, domain.start + domain.size)
+        return [self.table[ir.Load(argument.name, index)] for index in places]
+
+    def _loading_domain(self, argument: ir.Argument, domain: ir.Domain) -> list[str]:
+        """Copies, with flags where there are some."""
         lines: list[str] = []
-        for index in range(domain.start, domain.start + domain.size):
-            lines += self._loading_element(self.table[ir.Load(argument.name, index)])
-        if lines:
-            yield ""
-            yield _comment(domain)
-            yield from lines
-        if self.guarded and domain.kind in (ir.Kind.QUATERNION, ir.Kind.MATRIX):
-            yield from self._checking_norm(argument, domain)
+        for element in self._domain_elements(argument, domain):
+            lines += self._loading_element(element)
+        if self._is_flagged(argument) and self._is_normed(domain):
+            lines += self._checking_norm(argument, domain)
+        return lines
 
     def _loading_element(self, element: Element) -> list[str]:
         source = self._source(element)
         copy = self.place(element.load) if self._is_copied(element) else ""
-        if not (self.guarded or element.argument.integer):
+        if not self._is_flagged(element.argument):
             return comments.code(f"{copy} = {source};") if copy else []
-        take, test, limits = self._range_check(element)
+        limits = limits_of(element, self.target)
         if copy:
-            return comments.code(f"outside |= {take}({source}, {limits}, &{copy});")
-        return comments.code(f"outside |= {test}({source}, {limits});")
+            return comments.code(f"outside |= {limits.take}({source}, {limits.text}, &{copy});")
+        return comments.code(f"outside |= {limits.test}({source}, {limits.text});")
 
-    def _range_check(self, element: Element) -> tuple[str, str, str]:
-        """Names of the functions that copy or only test an element, and its limits."""
-        if element.argument.integer:
-            limits = ", ".join(integer_bounds(element.lower, element.upper))
-            return "take_index", "is_index_outside", limits
-        low, high = self.target.bounds(element.lower, element.upper)
-        if low == f"-{high}":
-            return "take_centred", "is_beyond", high
-        return "take_value", "is_outside", f"{low}, {high}"
+    def _conditions(self, arguments: list[ir.Argument]) -> list[str]:
+        """The checks of what a call reads once: ranges, until one fails."""
+        lines: list[str] = []
+        for argument in filter(self._is_judged, arguments):
+            for domain in argument.domains:
+                tests = [*(["inside"] if lines else []), *self._tests(argument, domain)]
+                kind = "" if lines else "bool "
+                if len(tests) > bool(lines):
+                    lines += comments.code(f"{kind}inside = {' && '.join(tests)};")
+        return lines
+
+    def _norms(self, arguments: list[ir.Argument]) -> list[str]:
+        """The checks of norms of what a call reads once."""
+        return [
+            line
+            for argument in filter(self._is_judged, arguments)
+            for domain in filter(self._is_normed, argument.domains)
+            for line in self._checking_norm(argument, domain)
+        ]
+
+    def _is_judged(self, argument: ir.Argument) -> bool:
+        """True where elements are looked at run by run, after they were copied."""
+        return self.checked and not self._is_flagged(argument)
+
+    def _tests(self, argument: ir.Argument, domain: ir.Domain) -> Iterator[str]:
+        for limits, run in runs_of(self._domain_elements(argument, domain), self.target):
+            texts = [self._text(element) for element in run]
+            yield f"{limits.condition(len(run))}({', '.join([*texts, limits.text])})"
+
+    def _text(self, element: Element) -> str:
+        """C text of an element: of its copy where it has one."""
+        return self.place(element.load) if self._is_copied(element) else self._source(element)
 
     def _checking_norm(self, argument: ir.Argument, domain: ir.Domain) -> list[str]:
-        copies = [
-            self.place(ir.Load(argument.name, index))
-            for index in range(domain.start, domain.start + domain.size)
-        ]
+        texts = [self._text(element) for element in self._domain_elements(argument, domain)]
         tolerance = self.target.literal(domain.tolerance)
         test = f"is_skewed_{domain.kind.value}"
-        return comments.code(f"skewed |= {test}({', '.join([*copies, tolerance])});")
+        return comments.code(f"skewed |= {test}({', '.join([*texts, tolerance])});")
 
-    def _verdict(self, *, ranged: bool, skewed: bool) -> list[str]:
+    def _verdict(self, *, flagged: bool, judged: bool, skewed: bool) -> list[str]:
         code = self.target.flag
         text = code(ir.Status.OK)
         if skewed:
             text = f"(skewed != 0U) ? {code(ir.Status.QNORM)} : {text}"
-        if ranged:
+        faults = [*(["(outside != 0U)"] if flagged else []), *(["!inside"] if judged else [])]
+        if faults:
             rest = f"({text})" if skewed else text
-            text = f"(outside != 0U) ? {code(ir.Status.RANGE)} : {rest}"
+            fault = f"({' || '.join(faults)})" if faults != ["(outside != 0U)"] else faults[0]
+            text = f"{fault} ? {code(ir.Status.RANGE)} : {rest}"
         return comments.code(f"return {text};")
 
 
@@ -347,31 +415,20 @@ def inputs_of(function: ir.Function, target: Target, loads: Collection[ir.Load])
         loads: every load of its bodies and outputs.
     """
     table, chosen = elements_of(function, loads)
-    copied = {load for load in loads if load in table} | _normed(function)
+    copied = {load for load in loads if load in table} | judged_loads(function)
     copied |= {load for load, element in table.items() if element.span}
     whole = function.maximum is not None or not any(a.integer for a in function.arguments)
-    open_ = whole and not function.guarded
+    open_ = whole and not function.checks_inputs
     pointed = {load for load in copied if open_ and _may_stay(table[load])}
     return Inputs(
         target, function.name, table, frozenset(copied - pointed), frozenset(pointed), chosen,
-        function.guarded, strided=function.maximum is None,
+        function.checks_inputs, strided=function.maximum is None and not function.checks_inputs,
     )  # fmt: skip
 
 
 def _may_stay(element: Element) -> bool:
     """True for an element that a kernel can read from where the caller keeps it."""
     return not (element.argument.item or element.argument.integer or element.span)
-
-
-def _normed(function: ir.Function) -> set[ir.Load]:
-    """Elements whose norm is checked; their copies are what the check reads."""
-    return {
-        ir.Load(argument.name, index)
-        for argument in function.arguments
-        for domain in argument.domains
-        if function.guarded and domain.kind in (ir.Kind.QUATERNION, ir.Kind.MATRIX)
-        for index in range(domain.start, domain.start + domain.size)
-    }
 
 
 def _comment(domain: ir.Domain) -> str:

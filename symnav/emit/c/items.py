@@ -28,7 +28,8 @@ class ItemLoops:
     def fallible(self) -> bool:
         """True when an item can fail: something about it is checked."""
         function = self.kernel.function
-        return function.guarded or any(a.integer for a in function.arguments if a.item)
+        integers = any(a.integer for a in function.arguments if a.item)
+        return function.checks_inputs or integers or self.kernel.item_fails
 
     @property
     def rejects(self) -> bool:
@@ -39,6 +40,11 @@ class ItemLoops:
     def skips(self) -> bool:
         """True when a bad item has a row of zeros."""
         return self.fallible and not self.rejects
+
+    def helpers(self) -> set[str]:
+        """Names of the inline helpers that the loops call."""
+        several = self.fallible and self.kernel.inputs.can_fail(item=True)
+        return {"first_failure"} if several or self.rejects else set()
 
     def context(self, *, address: bool) -> list[str]:
         """What a loop over items needs of the shared part, as arguments of a call."""
@@ -116,9 +122,20 @@ class ItemLoops:
                 *([f"{item.name} {ITEM_POINTER};"] if item else []),
                 f"{kernel.output_struct.name} {OUTPUT_POINTER};",
             ],
-            "load": comments.code(f"{self.kept('loaded')}{load};", depth=2),
+            "load": comments.code(f"{self._loaded}{load};", depth=2),
             "evaluate": comments.code(f"{self.kept('evaluated')}{evaluate};", depth=2),
         }
+
+    @property
+    def verdict(self) -> str:
+        """C text of the status of an item in a loop."""
+        both = self.kernel.inputs.can_fail(item=True)
+        return "first_failure(loaded, evaluated)" if both else "evaluated"
+
+    @property
+    def _loaded(self) -> str:
+        """What stands in front of the call that loads an item."""
+        return self.kept("loaded") if self.kernel.inputs.can_fail(item=True) else "(void)"
 
     def kept(self, name: str) -> str:
         """What stands in front of a call whose verdict matters only where items can fail."""

@@ -125,7 +125,8 @@ class Kernel:
     def fallible(self) -> bool:
         """True when an evaluation can fail: something about it is checked."""
         function = self.function
-        return function.guarded or any(argument.integer for argument in function.arguments)
+        integers = any(argument.integer for argument in function.arguments)
+        return function.checks_inputs or integers or self.shared_fails or self.item_fails
 
     @property
     def item_reads_shared(self) -> bool:
@@ -135,8 +136,17 @@ class Kernel:
     @property
     def shared_fails(self) -> bool:
         """True when the part evaluated once per call checks something."""
-        function = self.function
-        return function.guarded and any(isinstance(step, ir.Check) for step in function.shared)
+        return self._can_fail(self.function.shared)
+
+    @property
+    def item_fails(self) -> bool:
+        """True when the part evaluated once per item checks something."""
+        return self._can_fail(self.function.item)
+
+    def _can_fail(self, steps: Iterable[ir.Step]) -> bool:
+        """True when something in a body is checked."""
+        checks = (step for step in steps if isinstance(step, ir.Check))
+        return self.function.checks_domain and any(checks)
 
     @cached_property
     def slots(self) -> tuple[ir.Load, ...]:
@@ -163,7 +173,7 @@ class Kernel:
         function = self.function
         steps = [*function.shared, *function.item]
         names = {HELPERS[operation] for operation in self._operations if operation in HELPERS}
-        if function.guarded and any(isinstance(step, ir.Check) for step in steps):
+        if self._can_fail(steps):
             names.add("is_within")
         return names | self.inputs.helpers()
 
@@ -333,7 +343,7 @@ class Kernel:
         """Select and flag."""
         real, target = self.target.real, self._names[check.target]
         value = format_expression(check.value, scope)
-        if not self.function.guarded:
+        if not self.function.checks_domain:
             return comments.code(f"const {real} {target} = {value};", remark=check.comment)
         raw, verdict = self._guard_names[check.target]
         low, high = self.target.bounds(check.lower, check.upper)
@@ -366,7 +376,7 @@ class Kernel:
         checks = [step for step in steps if isinstance(step, ir.Check)]
         runs = [(status, list(run)) for status, run in groupby(checks, lambda check: check.status)]
         text = self.target.flag(ir.Status.OK)
-        for status, run in reversed(runs if self.function.guarded else []):
+        for status, run in reversed(runs if self.function.checks_domain else []):
             passed = " && ".join(self._guard_names[check.target][1] for check in run)
             passed = f"({passed})" if len(run) > 1 else passed
             success = f"({text})" if "?" in text else text

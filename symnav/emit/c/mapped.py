@@ -89,8 +89,10 @@ class Mapped(ItemLoops):
             skips=self.skips,
             check=self._check() if self.rejects else None,
             lanes_routines=[self._lanes(suffix, outputs) for suffix, _, outputs in kinds],
+            verdict=self.verdict,
             prologue=self.prologue(),
-            check_call=self._check_call(),
+            begin=self.begin(),
+            check_call=self.check_call(),
             rows=rows,
             calls=[
                 self._public(entries[symbol + suffix], f"{self.kernel.local}_rows{suffix}")
@@ -108,6 +110,9 @@ class Mapped(ItemLoops):
         given = [f"&{INPUT_POINTER}"] if struct else []
         read = given if kernel.main_reads_input else []
         made = [f"&{SHARED_POINTER}"] if shared else []
+        doubtful = kernel.inputs.can_fail(item=False) or kernel.shared_fails
+        certain = f"{kernel.target.macro}_OK"
+        first = self.check_call() if self.rejects and not doubtful else certain
         return {
             "locals": [
                 *([f"{struct.name} {INPUT_POINTER};"] if struct else []),
@@ -115,8 +120,19 @@ class Mapped(ItemLoops):
             ],
             "load": call(f"{kernel.local}_load", [*shared_arguments, *given]),
             "evaluate": call(f"{kernel.local}_shared", [*read, *made]),
+            "load_fails": kernel.inputs.can_fail(item=False),
             "fallible": kernel.shared_fails,
+            "first": first,
+            "judges": self.rejects and doubtful,
+            # Where only columns are stored, what cannot fail waits for what can.
+            "waits": kernel.inputs.can_fail(item=False) and not kernel.shared_fails,
         }
+
+    def begin(self) -> str:
+        """What opens the part of a function that runs when nothing has failed so far."""
+        kernel = self.kernel
+        fails = kernel.inputs.can_fail(item=False) or kernel.shared_fails or self.rejects
+        return f"if (status == {kernel.target.macro}_OK) {{" if fails else "{"
 
     def fills(
         self, outputs: Iterable[ir.Output], use: Use, row: str, *, block: str = "block"
@@ -228,7 +244,8 @@ class Mapped(ItemLoops):
         name = f"{self.kernel.local}_check_items"
         return {"head": self.loop_head(name, result, [status]), **self.evaluation("i")}
 
-    def _check_call(self) -> str:
+    def check_call(self) -> str:
+        """Call that finds the status of every item."""
         arguments = [*self.context(address=True), "n", *(a.name for a in self.item_arguments)]
         return call(f"{self.kernel.local}_check_items", [*arguments, "item_status"])
 

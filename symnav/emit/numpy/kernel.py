@@ -135,7 +135,7 @@ class _Writer:
 
     def _step(self, step: ir.Step, check: str) -> Iterator[str]:
         value = text_of(step.value, self._scope)
-        if isinstance(step, ir.Check) and self._function.guarded:
+        if isinstance(step, ir.Check) and self._function.checks_domain:
             target = self._claim(step.target)
             yield from self._guard(step, target, value.text, check)
             self._references[step.target] = Text(target)

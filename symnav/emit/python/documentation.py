@@ -32,7 +32,7 @@ def documentation(function: ir.Function, result: str) -> list[str]:
         lines += ["", *(f"{_INDENT}{line}".rstrip() for line in equation)]
     lines += ["", *_section("Parameters", _parameters(function, result))]
     lines += ["", *_section("Returns", _returns(function, result))]
-    if function.guarded:
+    if function.checks_inputs:
         lines += ["", *_section("Raises", _raises())]
     notes = list(_notes(function))
     if notes:
@@ -131,7 +131,7 @@ def _notes(function: ir.Function) -> Iterator[str]:
     yield from _fill(f"Other forms, with the same arguments: {', '.join(forms)}.", "")
     if function.maximum is not None:
         yield from _fill(f"At most {function.maximum} items.", "")
-    if not function.guarded:
+    if not function.checks_inputs:
         yield from _fill("Generated without guards: arguments are not checked.", "")
     yield from (line for text in function.conventions for line in _fill(text, ""))
     if function.source.strip():

@@ -110,7 +110,7 @@ def _signature(function: ir.Function, result: str, shared: ir.Argument | None) -
     for name, value, default in (
         ("maximum", function.maximum, None),
         ("reject", function.items is ir.Items.REJECT and function.maximum is not None, False),
-        ("guarded", function.guarded, True),
+        ("guarded", function.checks_inputs, True),
         ("column_major", function.column_major, False),
         ("single_difference", function.single_difference, False),
         ("lanes", lanes_of(function) if function.maximum is None else 0, 0),
@@ -197,7 +197,7 @@ def _slot(function: ir.Function, base: int, step: int, length: int, offset: ir.O
 
 def _conditions(function: ir.Function) -> Iterator[Group]:
     for step in (*function.shared, *function.item):
-        if isinstance(step, ir.Check) and function.guarded:
+        if isinstance(step, ir.Check) and function.checks_domain:
             meaning = quoted(" ".join(step.comment.split()) or step.target)
             bounds = (literal(step.lower), literal(step.upper))
             yield call("Condition", f"Status.{step.status.name}", *bounds, meaning)

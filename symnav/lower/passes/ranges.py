@@ -75,7 +75,7 @@ class Ranges:
 
 def drop_idle_checks(function: ir.Function) -> ir.Function:
     """Turn every check that cannot fail into a plain statement."""
-    if not function.guarded:  # nothing holds its inputs inside their ranges either
+    if not function.checks_domain:  # nothing holds its inputs inside their ranges either
         return function
     ranges = Ranges(function)
     shared = tuple(_without_idle_check(step, ranges) for step in function.shared)

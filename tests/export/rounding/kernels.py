@@ -71,7 +71,7 @@ def function(
     output = ir.Output("value", (size,), False, entries, rows, (), "m", "", "")
     return ir.Function(
         *("f", ir.Role.MEASUREMENT, "A function", "", "", (), arguments, tuple(steps), ()),
-        *((output,), None, ir.Items.SKIP, True, False, False),
+        *((output,), None, ir.Items.SKIP, ir.Guards.STATUS, False, False),
     )
 
 
