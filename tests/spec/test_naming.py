@@ -146,8 +146,12 @@ def test_math_names_are_those_of_math_h(tmp_path: Path) -> None:
 
 
 def test_helpers_are_those_of_the_templates() -> None:
-    templates = ROOT / "templates" / "c" / "helpers"
-    assert {path.stem for path in templates.glob("*.j2")} | {"flag_t"} == naming.HELPER_NAMES
+    templates = ROOT / "templates" / "c"
+    helpers = {path.stem for path in (templates / "helpers").glob("*.j2")}
+    trigonometry = (templates / "trigonometry.h.j2").read_text(encoding="utf-8")
+    helpers |= set(re.findall(r"^\S+_INLINE .* (\w+)\(", trigonometry, re.MULTILINE))
+    helpers |= set(re.findall(r"_INLINE \S+ \S+ \S+ (\w+)\(", trigonometry))
+    assert helpers | {"flag_t"} == naming.HELPER_NAMES
 
 
 def test_names_of_casadi_are_refused() -> None:
