@@ -11,6 +11,7 @@ import re
 import textwrap
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
 from symnav import ir
 from symnav.emit.c import comments
@@ -19,6 +20,7 @@ from symnav.emit.c.expressions import SINUSOIDS
 from symnav.emit.templates import render
 from symnav.export.entries import LANES, Array, Entry, Runs, entries
 from symnav.export.records import Bundle, Tree
+from symnav.trigonometry import LIMIT
 
 SCRIPT = "proof/run_eva.sh"
 
@@ -243,8 +245,26 @@ def files(bundle: Bundle) -> Mapping[str, str]:
                     f"eva eva_{entry.symbol} {symbol} {unit} {options[unit]} "
                     f"-eva-min-loop-unroll {largest + 1}"
                 )
+        if f"src/{tree.prefix}_trigonometry.h" in tree.files:
+            unit = next(path for path in tree.files if path.endswith(".c"))
+            text[f"proof/eva_{tree.prefix}_trigonometry.c"] = _bodies(tree)
+            commands.append(
+                f"eva eva_{tree.prefix}_sinusoids {tree.prefix}_trigonometry {Path(unit).stem}"
+            )
     text[SCRIPT] = render("export/proof/run_eva.sh.j2", name=bundle.name, commands=commands)
     return text
+
+
+def _bodies(tree: Tree) -> str:
+    """Drivers of what other drivers take by contract."""
+    return render(
+        "export/proof/eva_trigonometry.c.j2",
+        file=f"eva_{tree.prefix}_trigonometry.c",
+        prefix=tree.prefix,
+        real=f"{tree.prefix}_real_t",
+        kind=tree.module.scalar.value,
+        limit=f"{LIMIT:.1f}{'F' if tree.module.scalar is ir.Scalar.FLOAT else ''}",
+    )
 
 
 def _driver(tree: Tree, symbol: str, path: str, listed: Sequence[Entry]) -> str:

@@ -107,14 +107,26 @@ def test_callable_from_cpp(package: Path, tmp_path: Path) -> None:
 
 
 @gcc
-def test_fast_math_is_refused(package: Path) -> None:
-    """The guards would mean nothing."""
-    source = package / "c" / "src" / "rover_gps.c"
+@pytest.mark.parametrize("name", ["rover_gps", "rover_f32_gps"])
+@pytest.mark.parametrize(
+    ("flag", "told"),
+    [
+        ("-ffast-math", "-ffast-math"),
+        ("-funsafe-math-optimizations", "-funsafe-math-optimizations"),
+        ("-ffinite-math-only", "comparisons with NaN"),
+        ("-mfpmath=387", "evaluated in itself"),
+    ],
+)
+def test_liberties_with_arithmetic_are_refused(
+    package: Path, name: str, flag: str, told: str
+) -> None:
+    """Guards and sines would mean nothing."""
+    source = package / "c" / "src" / f"{name}.c"
     include = f"-I{package / 'c' / 'include'}"
-    command = ["gcc", "-ffast-math", include, "-c", str(source), "-o", os.devnull]
+    command = ["gcc", "-O2", flag, include, "-c", str(source), "-o", os.devnull]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode != 0
-    assert "-ffast-math" in done.stderr
+    assert told in done.stderr
 
 
 def test_same_bytes_under_any_hash_seed(tmp_path: Path) -> None:

@@ -21,6 +21,7 @@ from tests.emit_c.modules import module
 
 FLOAT, DOUBLE = ir.Scalar.FLOAT, ir.Scalar.DOUBLE
 KINDS = {FLOAT: np.float32, DOUBLE: np.float64}
+CLANG = next(filter(shutil.which, ("clang", "clang-19", "clang-14")), "")
 needs_gcc = pytest.mark.skipif(not shutil.which("gcc"), reason="needs gcc")
 
 LISTED = """
@@ -127,7 +128,7 @@ int main(int count, char **given)
 """
 
 
-def program(folder: Path, scalar: ir.Scalar, text: str, *flags: str) -> Path:
+def program(folder: Path, scalar: ir.Scalar, text: str, *flags: str, compiler: str = "gcc") -> Path:
     """A program over the header of a tree that has sine and cosine."""
     waves = [((k,), call(op, ir.Load("x", 0))) for k, op in enumerate((Op.OWN_SIN, Op.OWN_COS))]
     function = building.function("f", [X], outputs=(building.output("value", (2,), waves),))
@@ -140,7 +141,17 @@ def program(folder: Path, scalar: ir.Scalar, text: str, *flags: str) -> Path:
     lines = ["#define _GNU_SOURCE", *(f"#include <{name}>" for name in headers)]
     lines += [f'#include "{prefix}_trigonometry.h"', f"typedef {prefix}_real_t real_t;"]
     (folder / "main.c").write_text("\n".join([*lines, text]), encoding="utf-8")
-    command = ["gcc", "-std=gnu99", "-Ic/include", "-Ic/src", *flags, "main.c", "-lm", "-o", "main"]
+    command = [
+        compiler,
+        "-std=gnu99",
+        "-Ic/include",
+        "-Ic/src",
+        *flags,
+        "main.c",
+        "-lm",
+        "-o",
+        "main",
+    ]
     subprocess.run(command, cwd=folder, check=True)
     return folder / "main"
 
@@ -204,6 +215,16 @@ def test_doubles_are_within_one_unit_in_the_last_place(contract: str, tmp_path: 
     binary = program(tmp_path, DOUBLE, DOUBLES + WORST + MANY_DOUBLES, *flags)
     worst = float(subprocess.run([str(binary), "1000000"], capture_output=True, check=True).stdout)
     assert 0.5 < worst < 1.0
+
+
+@pytest.mark.skipif(not CLANG, reason="needs clang")
+def test_sums_are_not_regrouped_by_clang(tmp_path: Path) -> None:
+    """It tells nobody that it may; a turn regrouped is no turn at all."""
+    flags = ("-O2", "-funsafe-math-optimizations", "-ffp-contract=off")
+    text = FLOATS + WORST + EVERY_FLOAT
+    binary = program(tmp_path, FLOAT, text, *flags, compiler=CLANG)
+    worst = float(subprocess.run([str(binary), "9973"], capture_output=True, check=True).stdout)
+    assert worst < 4.0
 
 
 @pytest.mark.parametrize(

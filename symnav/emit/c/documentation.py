@@ -24,7 +24,7 @@ _STATUS_TEXT = {
 
 _SPELLING = {ir.Operation.ADD: "additions", ir.Operation.SUB: "subtractions"}
 _SPELLING |= {ir.Operation.MUL: "multiplications", ir.Operation.DIV: "divisions"}
-_SPELLING |= {ir.Operation.OWN_SIN: "sin", ir.Operation.OWN_COS: "cos"}
+_SPELLING |= {ir.Operation.OWN_SIN: "sine_of", ir.Operation.OWN_COS: "cosine_of"}
 
 
 def status_text(status: ir.Status) -> str:

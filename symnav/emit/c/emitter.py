@@ -51,6 +51,13 @@ _HELPERS: Mapping[str, tuple[str, ...]] = {
 }
 
 
+# Methods of evaluation under which a type has no excess precision; 16 is about half precision only.
+_WIDER: Mapping[ir.Scalar, str] = {
+    ir.Scalar.DOUBLE: "(FLT_EVAL_METHOD == 2)",
+    ir.Scalar.FLOAT: "((FLT_EVAL_METHOD != 0) && (FLT_EVAL_METHOD != 16))",
+}
+
+
 def emit(module: ir.Module) -> dict[str, str]:
     """Render the C tree of a module.
 
@@ -163,12 +170,16 @@ def _check_header(module: ir.Module, target: Target, kernels: Sequence[Kernel]) 
         if helper in wanted:
             wanted.update(_HELPERS[helper])
     brief = "Guards and helpers that the kernels share."
+    double = target.scalar is ir.Scalar.DOUBLE
     return render(
         "c/check.h.j2",
         banner=banner(module, f"{target.prefix}_check.h", brief),
         target=target,
         helpers=[f"c/helpers/{helper}.j2" for helper in _HELPERS if helper in wanted],
-        flag="uint64_t" if target.scalar is ir.Scalar.DOUBLE else "uint32_t",
+        flag="uint64_t" if double else "uint32_t",
+        digits="DBL_MANT_DIG" if double else "FLT_MANT_DIG",
+        bits=53 if double else 24,
+        wider=_WIDER[target.scalar],
         zero=target.literal(0.0),
         one=target.literal(1.0),
         fabs=target.function("fabs"),

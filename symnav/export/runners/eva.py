@@ -93,8 +93,9 @@ class Eva:
 _ASSUMPTIONS = (
     "IEEE 754 arithmetic, rounding to nearest; no -ffast-math. Sizes of types as on x86_64.",
     "sqrt is correctly rounded; of other functions of math.h Eva's own specification is used.",
-    "sine_of and cosine_of, where they occur, return -1 to 1 as their contract says; tests of "
-    "symnav hold that against every float and against samples of doubles.",
+    "sine_of and cosine_of, where they occur, are called within their limit and end in a finite "
+    "number: shown. That it is from -1 to 1 is their contract, which tests of symnav hold against "
+    "every float and against samples of doubles.",
     "Pointers that are not null point to arrays as large as the header says, which do not overlap.",
     "Under __FRAMAC__ a range check also compares the value with itself: by IEEE 754 a NaN fails "
     "the comparisons already, which Eva 25 does not conclude.",

@@ -8,6 +8,7 @@
 #ifndef EKF_CAL_ONLINE_CHECK_H
 #define EKF_CAL_ONLINE_CHECK_H
 
+#include <float.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
@@ -15,8 +16,23 @@
 
 #include "ekf_cal_online/ekf_cal_online_types.h"
 
-#ifdef __FAST_MATH__
-#error "The guards rely on IEEE 754 comparisons: compile without -ffast-math."
+/* Guards compare with NaN, and arithmetic is meant as it is written. Where a compiler tells that it
+   takes liberties, it is not let in. */
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST)
+#error "Compile without -ffast-math, -funsafe-math-optimizations, -fassociative-math or /fp:fast."
+#endif
+#if defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__ > 0
+#error "Compile without -ffinite-math-only: the guards rely on comparisons with NaN."
+#endif
+#endif
+#if defined(__clang__) /* which does not tell: sums are not regrouped from here on */
+#pragma clang fp reassociate(off)
+#endif
+#if defined(FLT_EVAL_METHOD) && defined(DBL_MANT_DIG)
+#if (DBL_MANT_DIG != 53) || (FLT_EVAL_METHOD == 2)
+#error "ekf_cal_online_real_t must be an IEEE 754 type that is evaluated in itself (x87: -mfpmath=sse)."
+#endif
 #endif
 
 /* Kernels are inlined into every entry point, so that what an entry point does not store is not

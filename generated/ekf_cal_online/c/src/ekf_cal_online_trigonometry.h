@@ -74,8 +74,9 @@ EKF_CAL_ONLINE_INLINE ekf_cal_online_real_t near_cosine(ekf_cal_online_turn_t tu
     return rough + (((1.0 - rough) - drop) + ((fourth * tail) - (turn.left * turn.rest)));
 }
 
-/* Sine of an angle of at most 32 rad, within one unit in the last place. */
-/*@ assigns \result \from angle;
+/* Sine of an angle of at most 32 rad, within one unit in the last place; 0 for -0. */
+/*@ requires -32.0 <= angle <= 32.0;
+    assigns \result \from angle;
     ensures \is_finite(\result) && -1.0 <= \result <= 1.0; */
 EKF_CAL_ONLINE_INLINE ekf_cal_online_real_t sine_of(ekf_cal_online_real_t angle)
 {
@@ -85,7 +86,8 @@ EKF_CAL_ONLINE_INLINE ekf_cal_online_real_t sine_of(ekf_cal_online_real_t angle)
 }
 
 /* Cosine of an angle of at most 32 rad, within one unit in the last place. */
-/*@ assigns \result \from angle;
+/*@ requires -32.0 <= angle <= 32.0;
+    assigns \result \from angle;
     ensures \is_finite(\result) && -1.0 <= \result <= 1.0; */
 EKF_CAL_ONLINE_INLINE ekf_cal_online_real_t cosine_of(ekf_cal_online_real_t angle)
 {

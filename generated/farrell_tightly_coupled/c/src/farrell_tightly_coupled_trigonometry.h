@@ -78,8 +78,9 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_real_t
     return rough + (((1.0 - rough) - drop) + ((fourth * tail) - (turn.left * turn.rest)));
 }
 
-/* Sine of an angle of at most 32 rad, within one unit in the last place. */
-/*@ assigns \result \from angle;
+/* Sine of an angle of at most 32 rad, within one unit in the last place; 0 for -0. */
+/*@ requires -32.0 <= angle <= 32.0;
+    assigns \result \from angle;
     ensures \is_finite(\result) && -1.0 <= \result <= 1.0; */
 FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_real_t
     sine_of(farrell_tightly_coupled_real_t angle)
@@ -90,7 +91,8 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_real_t
 }
 
 /* Cosine of an angle of at most 32 rad, within one unit in the last place. */
-/*@ assigns \result \from angle;
+/*@ requires -32.0 <= angle <= 32.0;
+    assigns \result \from angle;
     ensures \is_finite(\result) && -1.0 <= \result <= 1.0; */
 FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_real_t
     cosine_of(farrell_tightly_coupled_real_t angle)

@@ -76,8 +76,9 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_real_t
     return rough + (((1.0 - rough) - drop) + ((fourth * tail) - (turn.left * turn.rest)));
 }
 
-/* Sine of an angle of at most 32 rad, within one unit in the last place. */
-/*@ assigns \result \from angle;
+/* Sine of an angle of at most 32 rad, within one unit in the last place; 0 for -0. */
+/*@ requires -32.0 <= angle <= 32.0;
+    assigns \result \from angle;
     ensures \is_finite(\result) && -1.0 <= \result <= 1.0; */
 NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_real_t sine_of(navtk_specific_force_real_t angle)
 {
@@ -87,7 +88,8 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_real_t sine_of(navtk_specific_f
 }
 
 /* Cosine of an angle of at most 32 rad, within one unit in the last place. */
-/*@ assigns \result \from angle;
+/*@ requires -32.0 <= angle <= 32.0;
+    assigns \result \from angle;
     ensures \is_finite(\result) && -1.0 <= \result <= 1.0; */
 NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_real_t cosine_of(navtk_specific_force_real_t angle)
 {

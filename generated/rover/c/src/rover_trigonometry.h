@@ -74,8 +74,9 @@ ROVER_INLINE rover_real_t near_cosine(rover_turn_t turn)
     return rough + (((1.0 - rough) - drop) + ((fourth * tail) - (turn.left * turn.rest)));
 }
 
-/* Sine of an angle of at most 32 rad, within one unit in the last place. */
-/*@ assigns \result \from angle;
+/* Sine of an angle of at most 32 rad, within one unit in the last place; 0 for -0. */
+/*@ requires -32.0 <= angle <= 32.0;
+    assigns \result \from angle;
     ensures \is_finite(\result) && -1.0 <= \result <= 1.0; */
 ROVER_INLINE rover_real_t sine_of(rover_real_t angle)
 {
@@ -85,7 +86,8 @@ ROVER_INLINE rover_real_t sine_of(rover_real_t angle)
 }
 
 /* Cosine of an angle of at most 32 rad, within one unit in the last place. */
-/*@ assigns \result \from angle;
+/*@ requires -32.0 <= angle <= 32.0;
+    assigns \result \from angle;
     ensures \is_finite(\result) && -1.0 <= \result <= 1.0; */
 ROVER_INLINE rover_real_t cosine_of(rover_real_t angle)
 {

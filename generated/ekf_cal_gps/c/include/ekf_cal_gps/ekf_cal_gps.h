@@ -25,8 +25,8 @@ extern "C" {
  *     value = x (+) d
  *
  * Source: the error conventions of the blocks
- * Operations: 31 additions, 9 subtractions, 31 multiplications, 1 divisions, 1 sqrt, 1 sin, 1 cos,
- * 3 select, 3 lt.
+ * Operations: 31 additions, 9 subtractions, 31 multiplications, 1 divisions, 1 sqrt, 1 sine_of, 1
+ * cosine_of, 3 select, 3 lt.
  * Outputs are written only when the status is OK. Inputs and outputs must not overlap. Reentrant.
  *
  * @param[in]   x      State vector; its blocks, units and ranges stand in the header of the types.
@@ -645,8 +645,8 @@ static const int32_t ekf_cal_gps_local_fix_jacobian_fix_columns[9] = {
  * - Latitude and longitude in radians on WGS-84; the Jacobian by the fix, when asked for, is by
  *   latitude, longitude and height: the map of their noise.
  * - Local-level axes are enu at the reference.
- * Operations: 64 additions, 17 subtractions, 175 multiplications, 4 divisions, 2 sqrt, 6 sin, 6
- * cos.
+ * Operations: 64 additions, 17 subtractions, 175 multiplications, 4 divisions, 2 sqrt, 6 sine_of, 6
+ * cosine_of.
  * Outputs are written only when the status is OK. Inputs and outputs must not overlap. Reentrant.
  *
  * @param[in]   heading           [1] rad g -> l: Heading of the local frame; range -3.14159 to

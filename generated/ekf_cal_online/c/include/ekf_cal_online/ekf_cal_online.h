@@ -25,8 +25,8 @@ extern "C" {
  *     value = x (+) d
  *
  * Source: the error conventions of the blocks
- * Operations: 36 additions, 10 subtractions, 33 multiplications, 1 divisions, 1 sqrt, 1 sin, 1 cos,
- * 1 floor, 3 select, 3 lt.
+ * Operations: 36 additions, 10 subtractions, 33 multiplications, 1 divisions, 1 sqrt, 1 sine_of, 1
+ * cosine_of, 1 floor, 3 select, 3 lt.
  * Outputs are written only when the status is OK. Inputs and outputs must not overlap. Reentrant.
  *
  * @param[in]   x      State vector; its blocks, units and ranges stand in the header of the types.
@@ -243,7 +243,7 @@ static const int32_t ekf_cal_online_gps_1_jacobian_origin_columns[3] = {
  * Source: WarpTwin GPSMeasurements documentation; ekf_cal documentation, GPS filtering
  * - The lever arm points from the body origin to the antenna, resolved in the body frame.
  * - C and R are used in the direction their declared maps and the frames of the vectors need.
- * Operations: 19 additions, 24 subtractions, 55 multiplications, 2 neg, 1 sin, 1 cos.
+ * Operations: 19 additions, 24 subtractions, 55 multiplications, 2 neg, 1 sine_of, 1 cosine_of.
  * Outputs are written only when the status is OK. Inputs and outputs must not overlap. Reentrant.
  *
  * @param[in]   x                State vector; its blocks, units and ranges stand in the header of
@@ -503,7 +503,7 @@ static const int32_t ekf_cal_online_gps_2_jacobian_origin_columns[3] = {
  * Source: WarpTwin GPSMeasurements documentation; ekf_cal documentation, GPS filtering
  * - The lever arm points from the body origin to the antenna, resolved in the body frame.
  * - C and R are used in the direction their declared maps and the frames of the vectors need.
- * Operations: 19 additions, 24 subtractions, 55 multiplications, 2 neg, 1 sin, 1 cos.
+ * Operations: 19 additions, 24 subtractions, 55 multiplications, 2 neg, 1 sine_of, 1 cosine_of.
  * Outputs are written only when the status is OK. Inputs and outputs must not overlap. Reentrant.
  *
  * @param[in]   x                State vector; its blocks, units and ranges stand in the header of

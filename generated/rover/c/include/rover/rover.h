@@ -25,8 +25,8 @@ extern "C" {
  *     value = x (+) d
  *
  * Source: the error conventions of the blocks
- * Operations: 31 additions, 9 subtractions, 31 multiplications, 1 divisions, 1 sqrt, 1 sin, 1 cos,
- * 3 select, 3 lt.
+ * Operations: 31 additions, 9 subtractions, 31 multiplications, 1 divisions, 1 sqrt, 1 sine_of, 1
+ * cosine_of, 3 select, 3 lt.
  * Outputs are written only when the status is OK. Inputs and outputs must not overlap. Reentrant.
  *
  * @param[in]   x      State vector; its blocks, units and ranges stand in the header of the types.
