@@ -103,7 +103,7 @@ def shipped() -> list[tuple[str, str]]:
 
 
 def load(spec: str | Path) -> Spec:
-    """Read a specification: a file, or the name of a shipped model.
+    """Read a specification: a file, or the name of a shipped model; folders do not count.
 
     Raises:
         SpecError: with every mistake of the specification.
@@ -112,10 +112,10 @@ def load(spec: str | Path) -> Spec:
     from symnav import spec as specification
 
     path = Path(spec)
-    if path.suffix == ".toml" or path.exists():
+    if path.suffix == ".toml" or (path.exists() and not path.is_dir()):
         return specification.load(path)
     shipped_path = _models() / f"{spec}.toml"
-    if not shipped_path.is_file():
+    if path.name != str(spec) or not shipped_path.is_file():
         names = ", ".join(name for name, _ in shipped())
         raise InputError(f"{spec}: neither a file nor a shipped model; the models are {names}")
     return specification.load(Path(str(shipped_path)))

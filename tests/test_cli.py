@@ -16,6 +16,7 @@ import click
 import pytest
 from click.testing import CliRunner, Result
 
+from symnav import pipeline
 from symnav.cli import main
 from symnav.errors import BuildError, InputError, Problem, SpecError
 
@@ -173,6 +174,19 @@ def test_missing_specification(folder: Path) -> None:
     assert list(folder.iterdir()) == []
 
 
+def test_a_folder_does_not_hide_the_model_of_its_name(folder: Path) -> None:
+    """What was written for a model before often stands in a folder of that name."""
+    (folder / "rover").mkdir()
+    assert pipeline.load("rover").name == "rover"
+    for name in ("./rover", "other", str(folder)):
+        (folder / "other").mkdir(exist_ok=True)
+        with pytest.raises(InputError, match="neither a file nor a shipped model"):
+            pipeline.load(name)
+    (folder / "gps").write_text("nonsense")
+    with pytest.raises(InputError, match="gps: "):
+        pipeline.load("gps")
+
+
 def test_mistakes_leave_nothing_behind(folder: Path) -> None:
     """A specification with mistakes is not generated, in part or whole."""
     (folder / "rover.toml").write_text(
@@ -186,7 +200,6 @@ def test_mistakes_leave_nothing_behind(folder: Path) -> None:
 
 def test_new_writes_a_specification_that_loads(folder: Path) -> None:
     """The starter is valid, and is not written over."""
-    from symnav import pipeline
 
     result = run("new", "rover")
     assert result.exit_code == 0, result.stderr
@@ -211,7 +224,6 @@ def test_new_refuses_names_that_cannot_be_symbols(folder: Path, name: str) -> No
 
 def test_list(folder: Path) -> None:
     """Shipped specifications with their titles; each is a SPEC of its own."""
-    from symnav import pipeline
 
     shown = run("list")
     assert shown.exit_code == 0
@@ -310,7 +322,6 @@ def test_build_and_verify(small: Small) -> None:
 
 def test_failed_proof_ends_in_three(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """What does not hold is printed and counted."""
-    from symnav import pipeline
 
     sheet = SimpleNamespace(
         passed=False,
