@@ -8,13 +8,17 @@ other files, is noticed.
 from __future__ import annotations
 
 import json
+import re
+import tempfile
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from symnav.emit import manifest
+from symnav.errors import SymnavError
 from symnav.export.runners import RUNNERS, Record, Runner, Verdict
+from symnav.export.runners.records import broken
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,7 +63,7 @@ def prove(
     for runner in runners:
         progress(f"prove: {runner.name}")
         started = time.perf_counter()
-        record = _run(runner, folder)
+        record = _without_places(_run(runner, folder), folder)
         records.append(replace(record, seconds=time.perf_counter() - started))
     text = {
         f"proof/{record.tool}.json": json.dumps(record.as_dict(), indent=2) + "\n"
@@ -71,7 +75,30 @@ def prove(
 
 
 def _run(runner: Runner, folder: Path) -> Record:
-    reason = runner.missing()
-    if reason:
-        return Record(runner.name, "", Verdict.NOT_RUN, reason, "")
-    return runner.run(folder.resolve())
+    """What a runner says; one that breaks has shown nothing, which is a failed proof.
+
+    Tools that are broken, or print what nobody understands, end in errors of many kinds.
+    """
+    try:
+        reason = runner.missing()
+        if reason:
+            return Record(runner.name, "", Verdict.NOT_RUN, reason, "")
+        return runner.run(folder.resolve())
+    except (SymnavError, OSError) as error:
+        said = str(error)
+    except Exception as error:
+        said = f"{type(error).__name__}: {error}"
+    return broken(runner.name, "", said)
+
+
+def _without_places(record: Record, folder: Path) -> Record:
+    """A record without the places of this run, so that equal results have equal bytes."""
+    root = str(folder.resolve())
+    scratch = re.compile(rf"{re.escape(tempfile.gettempdir())}/symnav-[^/\s'\"]*/?")
+
+    def bare(text: str) -> str:
+        return scratch.sub("", text.replace(f"{root}/", "").replace(root, "the bundle"))
+
+    return replace(
+        record, shown=bare(record.shown), findings=tuple(bare(text) for text in record.findings)
+    )

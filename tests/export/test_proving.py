@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -12,9 +13,11 @@ from click.testing import CliRunner
 from symnav import pipeline
 from symnav.cli import main
 from symnav.emit import manifest
+from symnav.errors import BuildError, ProofError
 from symnav.export import proving
 from symnav.export.proving import prove
-from symnav.export.runners import Record, Verdict
+from symnav.export.runners import Record, Runner, Verdict
+from symnav.export.runners.programs import Reach
 
 NAME = "reference_relative"
 
@@ -34,6 +37,23 @@ class Said:
         assert (folder / "manifest.json").is_file()
         found = ("bad",) if self.verdict is Verdict.FAILED else ()
         return Record(self.name, "1.0", self.verdict, "something", "true", findings=found)
+
+
+@dataclass(frozen=True)
+class Breaks:
+    """A runner whose tool is broken."""
+
+    name: str
+    error: Exception
+    at_once: bool = False
+
+    def missing(self) -> str:
+        if self.at_once:
+            raise self.error
+        return ""
+
+    def run(self, folder: Path) -> Record:
+        raise self.error
 
 
 GOOD, BAD = Said("good"), Said("bad", Verdict.FAILED)
@@ -64,6 +84,57 @@ def test_records_stand_beside_their_inputs(folder: Path) -> None:
 def test_one_failure_is_enough(folder: Path) -> None:
     assert not prove(folder, (GOOD, BAD)).passed
     assert json.loads((folder / "proof/bad.json").read_text())["findings"] == ["bad"]
+
+
+@pytest.mark.parametrize("at_once", [False, True])
+@pytest.mark.parametrize(
+    "error",
+    [
+        BuildError("clang-19 exits with 1"),
+        ProofError("the tests fail"),
+        FileNotFoundError(2, "No such file or directory", "clang-19"),
+        KeyError("data"),
+    ],
+    ids=lambda error: type(error).__name__,
+)
+def test_a_runner_that_breaks_has_failed(folder: Path, error: Exception, at_once: bool) -> None:
+    proven = prove(folder, (Breaks("broken", error, at_once), GOOD))
+    assert not proven.passed
+    assert [record.verdict.value for record in proven.records] == ["failed", "passed"]
+    record = json.loads((folder / "proof/broken.json").read_text())
+    assert record["verdict"] == "failed" and str(error) in record["findings"][0]
+    assert record["shown"].startswith("broke off: ") and state(folder) == "fresh"
+
+
+def test_a_record_of_what_broke_names_no_place(folder: Path) -> None:
+    with tempfile.TemporaryDirectory(prefix="symnav-") as scratch:
+        text = f"{scratch}/a.c: refused\n\n{folder.resolve()}/src/b.c: as well"
+        prove(folder, (Breaks("broken", BuildError(text)),))
+    findings = json.loads((folder / "proof/broken.json").read_text())["findings"]
+    assert findings == ["a.c: refused", "src/b.c: as well"]
+
+
+def test_a_clang_that_fails_is_a_row_and_a_record(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("clang-19", "llvm-profdata-19", "llvm-cov-19"):
+        fake = tmp_path / "bin" / name
+        fake.parent.mkdir(exist_ok=True)
+        fake.write_text("#!/bin/sh\nexit 1\n")
+        fake.chmod(0o755)
+    monkeypatch.setenv("PATH", f"{tmp_path / 'bin'}:/bin")
+    only_run(monkeypatch, Reach())
+    folder = tmp_path / "bundle"
+    done = CliRunner().invoke(main, ["export", NAME, "--to", str(folder), "--prove"])
+    assert done.exit_code == 3 and "mcdc" in done.output and "failed" in done.output
+    assert json.loads((folder / "proof/mcdc.json").read_text())["verdict"] == "failed"
+
+
+def only_run(monkeypatch: pytest.MonkeyPatch, runner: Runner) -> None:
+    """Make one runner all there are."""
+    defaults = prove.__defaults__
+    assert defaults is not None
+    monkeypatch.setattr(proving.prove, "__defaults__", ((runner,), *defaults[1:]))
 
 
 def test_same_results_have_same_bytes(folder: Path) -> None:
@@ -122,9 +193,7 @@ def test_a_list_that_cannot_be_read(folder: Path) -> None:
 def test_exit_code(
     runner: Said, code: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    defaults = prove.__defaults__
-    assert defaults is not None
-    monkeypatch.setattr(proving.prove, "__defaults__", ((runner,), *defaults[1:]))
+    only_run(monkeypatch, runner)
     arguments = ["export", NAME, "--to", str(tmp_path / "bundle"), "--prove"]
     done = CliRunner().invoke(main, arguments)
     assert done.exit_code == code, done.output

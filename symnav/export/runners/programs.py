@@ -12,7 +12,7 @@ from pathlib import Path
 from symnav.errors import BuildError, ProofError
 from symnav.export import coverage, emulation
 from symnav.export.runners import tools
-from symnav.export.runners.records import Record, Verdict
+from symnav.export.runners.records import Record, Verdict, broken
 
 _C99 = ("-std=c99", "-O2", "-ffp-contract=off")
 _CHECKED = ("-std=c99", "-O1", "-g", "-ffp-contract=off")
@@ -134,11 +134,9 @@ class Reach:
         """Build it for coverage and count."""
         try:
             found = coverage.measure(folder)
-        except ProofError as error:
+        except (BuildError, ProofError) as error:
             command = "the test program under clang's source-based coverage"
-            return Record(
-                self.name, "", Verdict.FAILED, str(error), command, findings=(str(error),)
-            )
+            return broken(self.name, command, str(error))
         total = found.total
         findings = tuple(
             f"{file.path}: {kind} {count.reached} of {count.total}"
@@ -189,9 +187,7 @@ class CortexM:
                 shutil.copytree(folder, copy, ignore=shutil.ignore_patterns("build"))
                 found = emulation.run(copy, self.cpu)
         except BuildError as error:
-            return Record(
-                self.name, "", Verdict.FAILED, str(error), command, findings=(str(error),)
-            )
+            return broken(self.name, command, str(error))
         exact = sum(call.exact for call in found.calls)
         most = max((call.flash for call in found.calls), default=0)
         return Record(

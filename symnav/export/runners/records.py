@@ -57,6 +57,13 @@ class Record:
         }
 
 
+def broken(tool: str, command: str, message: str) -> Record:
+    """The record of a runner that could not finish: nothing is shown, so it failed."""
+    lines = tuple(line.rstrip() for line in message.splitlines() if line.strip())
+    shown = f"broke off: {lines[0]}" if lines else "broke off"
+    return Record(tool, "", Verdict.FAILED, shown, command, findings=lines or (shown,))
+
+
 class Runner(Protocol):
     """One tool and what it is asked about a bundle."""
 
