@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from symnav.export.runners import tools
+from symnav.export.runners import controls, tools
 from symnav.export.runners.records import Record, Verdict
 
 WARNINGS = (
@@ -26,6 +26,22 @@ FLOAT_WARNINGS = ("-Wunsuffixed-float-constants",)
 """Asked of sources in single precision, where a number without a suffix would be a double."""
 
 BASE = ("-std=c99", "-O2", "-ffp-contract=off", "-Iinclude", "-Isrc")
+WARNS = controls.Control(
+    "gcc",
+    r"(?i)\bgcc\b.*\d+\.\d+",
+    {
+        "[-Wunused-variable]": "int unused;",
+        "[-Wfloat-conversion]": "int n = x;",
+        "[-Wunsuffixed-float-constants]": "float step = 0.5;",
+    },
+)
+ANALYSES = controls.Control(
+    "gcc -fanalyzer",
+    WARNS.product,
+    {"[-Wanalyzer-null-dereference]": "return n + *p + (int)(x * step);"},
+)
+"""What the strict flags, and the path analysis, must find before their silence counts."""
+
 _DIAGNOSTIC = re.compile(r"^.*(?:warning|error): .*$", re.MULTILINE)
 _NODE = re.compile(r'node: \{ title: "([^"]+)" label: "[^"]*?\\n(\d+) bytes \(([\w,]+)')
 _EDGE = re.compile(r'edge: \{ sourcename: "([^"]+)" targetname: "([^"]+)"')
@@ -34,7 +50,23 @@ _ENTRY = re.compile(r"^\w+_status_t (\w+)\(", re.MULTILINE)
 
 def _command(folder: Path, source: str, extra: Sequence[str], out: str) -> list[str]:
     own = FLOAT_WARNINGS if tools.in_float(folder, source) else ()
-    return [tools.find("gcc"), *BASE, *extra, *own, "-c", source, "-o", out]
+    return _compile((*extra, *own), source, out)
+
+
+def _compile(flags: Sequence[str], source: str, out: str) -> list[str]:
+    return [tools.find("gcc"), *BASE, *flags, "-c", source, "-o", out]
+
+
+def _heard(folder: Path, extra: Sequence[str]) -> list[str]:
+    """What gcc says about every source; that it compiled nothing is said as well."""
+    found: list[str] = []
+    with tempfile.TemporaryDirectory(prefix="symnav-") as scratch:
+        for source in tools.sources(folder):
+            out = Path(scratch) / f"{Path(source).stem}.o"
+            said = _said(tools.call(_command(folder, source, extra, str(out)), folder))
+            written = out.is_file() and out.stat().st_size > 0
+            found += said if said or written else [f"{source}: no object file was written"]
+    return found
 
 
 def _missing() -> str:
@@ -53,19 +85,25 @@ class Warnings:
 
     def run(self, folder: Path) -> Record:
         """Compile every source with every warning."""
-        findings: list[str] = []
-        for source in tools.sources(folder):
-            done = tools.call(_command(folder, source, WARNINGS, "/dev/null"), folder)
-            findings += _said(done)
+        version = tools.version([tools.find("gcc"), "--version"])
+        command = " ".join(["gcc", *BASE, *WARNINGS, "-c src/*.c"])
+        asked = _compile((*WARNINGS, *FLOAT_WARNINGS), controls.NAME, "control.o")
+        if doubts := WARNS.doubts(version, asked):
+            return WARNS.distrusted(self.name, version, command, doubts)
+        findings = _heard(folder, WARNINGS)
         count = len(tools.sources(folder))
         return Record(
             self.name,
-            tools.version([tools.find("gcc"), "--version"]),
+            version,
             Verdict.FAILED if findings else Verdict.PASSED,
             f"{len(findings)} warnings in {count} sources under {len(WARNINGS)} flags",
-            " ".join(["gcc", *BASE, *WARNINGS, "-c src/*.c"]),
+            command,
             findings=tuple(findings),
-            details={"sources": count, "flags": [*WARNINGS, *FLOAT_WARNINGS]},
+            details={
+                "sources": count,
+                "flags": [*WARNINGS, *FLOAT_WARNINGS],
+                "planted": list(WARNS.planted),
+            },
         )
 
 
@@ -81,20 +119,22 @@ class Analyser:
 
     def run(self, folder: Path) -> Record:
         """Analyse every source."""
-        findings: list[str] = []
-        for source in tools.sources(folder):
-            findings += _said(
-                tools.call(_command(folder, source, ("-fanalyzer",), "/dev/null"), folder)
-            )
+        version = tools.version([tools.find("gcc"), "--version"])
+        command = " ".join(["gcc", *BASE, "-fanalyzer", "-c src/*.c"])
+        asked = _compile(("-fanalyzer",), controls.NAME, "control.o")
+        if doubts := ANALYSES.doubts(version, asked):
+            return ANALYSES.distrusted(self.name, version, command, doubts)
+        findings = _heard(folder, ("-fanalyzer",))
         count = len(tools.sources(folder))
         return Record(
             self.name,
-            tools.version([tools.find("gcc"), "--version"]),
+            version,
             Verdict.FAILED if findings else Verdict.PASSED,
             f"{len(findings)} findings of the path analysis in {count} sources",
-            " ".join(["gcc", *BASE, "-fanalyzer", "-c src/*.c"]),
+            command,
             assumptions=("The analysis looks for defects; that it finds none is no proof.",),
             findings=tuple(findings),
+            details={"planted": list(ANALYSES.planted)},
         )
 
 

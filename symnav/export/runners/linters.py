@@ -10,7 +10,7 @@ from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
 
-from symnav.export.runners import tools
+from symnav.export.runners import controls, tools
 from symnav.export.runners.records import Record, Verdict
 
 BUDGET = "proof/misra.json"
@@ -19,6 +19,20 @@ _FINDING = re.compile(
 )
 _TIDY = re.compile(r"^(?P<place>.*?:\d+):\d+: (?P<kind>warning|error): (?P<text>.*)$", re.M)
 _MISRA = "misra-c2012-"
+CHECKS = controls.Control(
+    "cppcheck with its MISRA addon",
+    r"^Cppcheck \d+\.\d+",
+    {" nullPointer:": "return n + *p + (int)(x * step);", f" {_MISRA}15.6:": "if (n > 3)"},
+)
+TIDIES = controls.Control(
+    "clang-tidy",
+    r"LLVM version \d+\.\d+",
+    {
+        "[bugprone-integer-division]": "x = n / 2;",
+        "[clang-analyzer-core.NullDereference]": "return n + *p + (int)(x * step);",
+    },
+)
+"""What cppcheck and clang-tidy must find before their silence counts."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,8 +61,11 @@ class Cppcheck:
             "--check-level=exhaustive", "--template={file}:{line}: {id}: {message}",
             "-Iinclude", "-Isrc", *self.defined,
         ]  # fmt: skip
-        arguments = [*command[1:], *tools.sources(folder)]
-        done = tools.call([tools.find("cppcheck"), *arguments], folder)
+        asked, shown = [tools.find("cppcheck"), *command[1:]], " ".join([*command, "src/*.c"])
+        version = tools.version([asked[0], "--version"])
+        if doubts := CHECKS.doubts(version, [*asked, controls.NAME]):
+            return CHECKS.distrusted(self.name, version, shown, doubts)
+        done = tools.call([*asked, *tools.sources(folder)], folder)
         found = [(m["place"], m["id"], m["text"]) for m in _FINDING.finditer(done.output)]
         counts = Counter(id.removeprefix(_MISRA) for _, id, _ in found if id.startswith(_MISRA))
         findings = [
@@ -61,17 +78,20 @@ class Cppcheck:
         deviating = sum(counts[rule] for rule in allowed)
         return Record(
             self.name,
-            tools.version([tools.find("cppcheck"), "--version"]),
+            version,
             Verdict.FAILED if findings else Verdict.PASSED,
             f"{len(findings)} findings; {deviating} of advisory rules with a written deviation "
             f"({', '.join(sorted(allowed & counts.keys())) or 'none'})",
-            " ".join([*command, "src/*.c"]),
+            shown,
             assumptions=(
                 "The addon checks a part of MISRA C:2012 and no directive: checked with it, which "
                 "is not the same as compliant.",
             ),
             findings=tuple(findings),
-            details={"by_rule": dict(sorted(counts.items()))},
+            details={
+                "by_rule": dict(sorted(counts.items())),
+                "planted": [words.strip(" :") for words in CHECKS.planted],
+            },
         )
 
 
@@ -88,9 +108,15 @@ class ClangTidy:
 
     def run(self, folder: Path) -> Record:
         """Check every source with the configuration in the bundle."""
-        command = ["clang-tidy", "--quiet", "--config-file=.clang-tidy"]
-        arguments = [*tools.sources(folder), "--", "-std=c99", "-Iinclude", "-Isrc"]
-        done = tools.call([tools.find("clang-tidy"), *command[1:], *arguments], folder)
+        quiet = [tools.find("clang-tidy"), "--quiet"]
+        options = ["--", "-std=c99", "-Iinclude", "-Isrc"]
+        shown = " ".join(["clang-tidy --quiet --config-file=.clang-tidy src/*.c", *options])
+        version = tools.version([quiet[0], "--version"])
+        own = f"--config-file={folder.resolve() / '.clang-tidy'}"
+        if doubts := TIDIES.doubts(version, [*quiet, own, controls.NAME, *options]):
+            return TIDIES.distrusted(self.name, version, shown, doubts)
+        asked = [*quiet, "--config-file=.clang-tidy", *tools.sources(folder), *options]
+        done = tools.call(asked, folder)
         findings = [
             f"{m['place'].removeprefix(f'{folder.resolve()}/')}: {m['text']}"
             for m in _TIDY.finditer(done.output)
@@ -99,12 +125,13 @@ class ClangTidy:
             findings.append(f"exit status {done.code}: {done.output.strip()[-500:]}")
         return Record(
             self.name,
-            tools.version([tools.find("clang-tidy"), "--version"]),
+            version,
             Verdict.FAILED if findings else Verdict.PASSED,
             f"{len(findings)} findings of bugprone, cert, clang-analyzer, performance, portability",
-            " ".join([*command, "src/*.c", *arguments[-4:]]),
+            shown,
             assumptions=("The checks left out, and why, stand in .clang-tidy.",),
             findings=tuple(findings),
+            details={"planted": list(TIDIES.planted)},
         )
 
 
