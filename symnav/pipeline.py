@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from symnav.build import BuildResult
     from symnav.derive import Derivation
     from symnav.emit.manifest import CheckReport
-    from symnav.export import Bundle, Tree
+    from symnav.export import Bundle, Tolerance, Tree
     from symnav.export.proving import Proven
     from symnav.spec.records import Spec
     from symnav.verify.sheet import Finding, ProofSheet
@@ -272,7 +272,7 @@ def export(
     folder: Path,
     *,
     scalar: str = "double",
-    tolerance: float | None = None,
+    tolerance: float | Tolerance | None = None,
     batches: bool = False,
     guards: str | None = None,
     proofs: bool = False,
@@ -285,7 +285,8 @@ def export(
         spec: what to export.
         folder: becomes the bundle.
         scalar: ``double`` or ``float``.
-        tolerance: largest rounding error of a value that is accepted, in the value's unit.
+        tolerance: largest rounding error that is accepted, in each value's unit; of all functions
+            or of each.
         batches: entry points for many epochs as well.
         guards: ``status``, ``outer`` or ``assume``: where the checks of every function stand,
             instead of where the specification says.
@@ -295,8 +296,7 @@ def export(
 
     Raises:
         HandEditedError: when files of the bundle there were changed by hand.
-        InputError: when the folder there is no bundle, or a value may err by more than the
-            tolerance.
+        InputError: when the folder there is no bundle, or a value may err by too much.
     """
     from symnav.emit import writing
     from symnav.export import assemble
@@ -309,8 +309,7 @@ def export(
     text = assemble(made, progress)
     progress("write")
     scalars = [tree.module.scalar.value for tree in made.trees]
-    options = {"scalar": scalar, "tolerance": tolerance, "batches": batches, "guards": guards}
-    written = writing.write(folder, text, digest(spec), scalars, options)
+    written = writing.write(folder, text, digest(spec), scalars, made.options.plain)
     contents = tuple(
         (tree.prefix, tree.module.scalar.value, tuple(f.name for f in tree.module.functions))
         for tree in made.trees
@@ -322,7 +321,7 @@ def export(
 def bundle(
     spec: Spec,
     scalar: str = "double",
-    tolerance: float | None = None,
+    tolerance: float | Tolerance | None = None,
     *,
     batches: bool = False,
     guards: str | None = None,
@@ -334,10 +333,12 @@ def bundle(
         InputError: when a value may err by more than the tolerance.
     """
     from symnav import ir
-    from symnav.export import Bundle, Options
+    from symnav.export import Bundle, Options, Tolerance
     from symnav.export.error_bounds import refuse_beyond, with_bounds
 
     where = None if guards is None else ir.Guards(guards)
+    accepted = Tolerance.of(tolerance)
+    accepted.check(entry.name for entry in spec.entries)
     progress("derive")
     derived = derive(spec if where is None else _guarded_by(spec, where))
     progress("lower")
@@ -346,12 +347,11 @@ def bundle(
         modules = [_all_guarded_by(module, where) for module in modules]
     progress("bound")
     modules = [replace(with_bounds(module), batches=batches) for module in modules]
-    refuse_beyond(modules, tolerance)
+    refuse_beyond(modules, accepted)
     progress("emit")
     trees = tuple(_tree(module) for module in modules)
     derivations = (*derived.layout, *derived.entries)
-    options = Options(ir.Scalar(scalar), tolerance, batches, where)
-    return Bundle(spec, derivations, trees, options)
+    return Bundle(spec, derivations, trees, Options(ir.Scalar(scalar), accepted, batches, where))
 
 
 def _modules(spec: Spec, derived: Derived, scalar: ir.Scalar) -> list[ir.Module]:

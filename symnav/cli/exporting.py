@@ -9,10 +9,21 @@ from typing import TYPE_CHECKING
 import click
 
 from symnav.cli.console import Verb, progress, show_table, write_json
-from symnav.errors import ProofError
+from symnav.errors import InputError, ProofError
 
 if TYPE_CHECKING:
+    from symnav.export import Tolerance
     from symnav.export.proving import Proven
+
+
+def _tolerance(_ctx: click.Context, _option: click.Parameter, words: tuple[str, ...]) -> Tolerance:
+    """What the words of ``--tolerance`` mean together."""
+    from symnav.export import Tolerance
+
+    try:
+        return Tolerance.read(words)
+    except InputError as error:
+        raise click.BadParameter(f"{error}.") from None
 
 
 @click.command(
@@ -20,7 +31,8 @@ if TYPE_CHECKING:
     epilog="""\b
 Examples:
   symnav export rover.toml --to flight/rover
-  symnav export rover.toml --to flight/rover --scalar float --tolerance 0.01
+  symnav export rover.toml --to flight/rover --scalar float --tolerance gps=0.01
+  symnav export rover.toml --to flight/rover --scalar float --tolerance 0.01 --tolerance imu=60
   symnav export rover.toml --to flight/rover --guards outer
   symnav export rover.toml --to flight/rover --prove
 """,
@@ -43,11 +55,12 @@ Examples:
 )
 @click.option(
     "--tolerance",
-    type=click.FloatRange(min=0.0, min_open=True),
-    default=None,
-    metavar="NUMBER",
-    help="Refuse when rounding can move a value of a measurement or correction by more than this, "
-    "in the value's unit; Jacobians do not count.",
+    multiple=True,
+    callback=_tolerance,
+    metavar="[FUNCTION=]NUMBER",
+    help="Refuse when rounding can move a value of FUNCTION, or of any measurement or correction, "
+    "by more than this. The number is in the unit of each value, function by function: m for one, "
+    "m/s^2 for another. Jacobians do not count. May be repeated; a function's own goes first.",
 )
 @click.option("--batches", is_flag=True, help="Entry points for many epochs as well.")
 @click.option(
@@ -65,7 +78,7 @@ def export(
     spec: str,
     folder: Path,
     scalar: str,
-    tolerance: float | None,
+    tolerance: Tolerance,
     batches: bool,
     guards: str | None,
     prove: bool,

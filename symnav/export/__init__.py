@@ -2,5 +2,6 @@
 
 from symnav.export.bundle import assemble
 from symnav.export.records import Bundle, Options, Tree
+from symnav.export.tolerances import Tolerance
 
-__all__ = ["Bundle", "Options", "Tree", "assemble"]
+__all__ = ["Bundle", "Options", "Tolerance", "Tree", "assemble"]

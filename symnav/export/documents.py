@@ -32,7 +32,7 @@ def regenerate(bundle: Bundle) -> str:
     if not bundle.spec.toml:
         return ""
     options = bundle.options
-    tolerance = "" if options.tolerance is None else f" --tolerance {options.tolerance!r}"
+    tolerance = "".join(f" --tolerance {word}" for word in options.tolerance.words)
     batches = " --batches" if options.batches else ""
     guards = f" --guards {options.guards.value}" if options.guards else ""
     chosen = f"{options.scalar.value}{tolerance}{batches}{guards}"

@@ -14,6 +14,7 @@ from symnav.emit.c.store import is_jacobian
 from symnav.export.records import Bundle, Tree
 from symnav.export.rounding import bounded
 from symnav.export.rounding.formats import FORMATS
+from symnav.export.tolerances import Tolerance
 
 PATH = "proof/error_bounds.json"
 _DIGITS = 3
@@ -48,8 +49,8 @@ def files(bundle: Bundle) -> Mapping[str, str]:
     return {PATH: json.dumps(content, indent=1, ensure_ascii=True) + "\n"}
 
 
-def refuse_beyond(modules: Sequence[ir.Module], tolerance: float | None) -> None:
-    """Raise when a value of a measurement or a correction may err by more than a tolerance.
+def refuse_beyond(modules: Sequence[ir.Module], tolerance: Tolerance) -> None:
+    """Raise when a value of a measurement or a correction may err by more than its tolerance.
 
     Jacobians do not count: their errors change how well a filter uses a measurement, not what it
     predicts. Nor do retract and local, whose error arguments nobody declares. Inputs on the edge
@@ -58,18 +59,16 @@ def refuse_beyond(modules: Sequence[ir.Module], tolerance: float | None) -> None
     Raises:
         InputError: naming every such value, its bound and its unit.
     """
-    if tolerance is None:
-        return
     beyond = [
         f"  {module.name}_{function.name}, {output.name}: "
-        f"{' '.join(word for word in (upwards(bound), unit, _wide(function)) if word)}"
+        f"{' '.join(filter(None, (upwards(bound), unit, _own(function, tolerance, unit))))}"
         for module in modules
         for function in module.functions
         if function.role in (ir.Role.MEASUREMENT, ir.Role.CORRECTION)
         for output in function.outputs
         if not is_jacobian(output)
         for bound, unit in [_worst_of(output)]
-        if not bound <= tolerance
+        if not tolerance.accepts(function.name, bound)
     ]
     if beyond:
         raise errors.InputError("\n".join([_head(beyond, tolerance), *beyond, _ADVICE]))
@@ -77,8 +76,16 @@ def refuse_beyond(modules: Sequence[ir.Module], tolerance: float | None) -> None
 
 _ADVICE = (
     "Declare narrower ranges for what these read, use the relative form of an equation, export in "
-    "double, or accept a larger --tolerance. Nothing was written."
+    "double, or accept more with --tolerance, for one function with --tolerance FUNCTION=NUMBER. "
+    "Nothing was written."
 )
+
+
+def _own(function: ir.Function, tolerance: Tolerance, unit: str) -> str:
+    """What the other values do not share: a tolerance of its own, and what has no range."""
+    limit = f"{tolerance.limit(function.name):g} {unit}".rstrip()
+    own = f"above {limit}" if function.name in tolerance.own else ""
+    return " ".join(filter(None, (own, _wide(function))))
 
 
 def _wide(function: ir.Function) -> str:
@@ -92,9 +99,12 @@ def _wide(function: ir.Function) -> str:
     return f"({', '.join(names)} may be as large as {_WIDE:g})" if names else ""
 
 
-def _head(beyond: Sequence[str], tolerance: float) -> str:
+def _head(beyond: Sequence[str], tolerance: Tolerance) -> str:
     values = "value" if len(beyond) == 1 else f"{len(beyond)} values"
-    return f"rounding may move the following {values} by more than the tolerance of {tolerance:g}:"
+    given = "its tolerance" if len(beyond) == 1 else "their tolerances"
+    if tolerance.everywhere is not None and not tolerance.own:
+        given = f"the tolerance of {tolerance.everywhere:g}"
+    return f"rounding may move the following {values} by more than {given}:"
 
 
 def _worst_of(output: ir.Output) -> tuple[float, str]:

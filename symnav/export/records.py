@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from symnav import ir
 from symnav.derive import Derivation
+from symnav.export.tolerances import Tolerance
 from symnav.spec.records import Spec
 
 
@@ -16,16 +17,25 @@ class Options:
 
     Attributes:
         scalar: type the functions are wanted in.
-        tolerance: largest rounding error of a value that is accepted, in the value's unit; None
-            for any.
+        tolerance: largest rounding error of a value that is accepted, in the value's unit.
         batches: True for entry points over many epochs as well.
         guards: where checks stand, instead of what the specification says; None to follow it.
     """
 
     scalar: ir.Scalar
-    tolerance: float | None = None
+    tolerance: Tolerance = field(default_factory=Tolerance)
     batches: bool = False
     guards: ir.Guards | None = None
+
+    @property
+    def plain(self) -> Mapping[str, object]:
+        """For a manifest."""
+        return {
+            "scalar": self.scalar.value,
+            "tolerance": self.tolerance.plain,
+            "batches": self.batches,
+            "guards": None if self.guards is None else self.guards.value,
+        }
 
 
 @dataclass(frozen=True, slots=True)

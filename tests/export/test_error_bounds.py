@@ -17,6 +17,7 @@ from symnav import ir, pipeline
 from symnav.cli import main
 from symnav.emit.c.rounding import rounding_text, upwards
 from symnav.errors import InputError
+from symnav.export import Tolerance
 
 NARROW = """
 name = "lander"
@@ -164,6 +165,63 @@ def test_a_tolerance_that_is_kept_changes_nothing(tmp_path: Path) -> None:
         str(spec), "--to", str(tmp_path / "c"), "--scalar", "float", "--tolerance", "1e-5"
     )
     assert refused.exit_code == 2 and not (tmp_path / "c").exists()
+
+
+def test_a_tolerance_of_one_function_is_its_own(tmp_path: Path) -> None:
+    arguments = ("rover", "--to", str(tmp_path / "a"), "--scalar", "float", "--tolerance")
+    refused = run(*arguments, "0.01", "--tolerance", "imu=50")
+    assert refused.exit_code == 2 and not (tmp_path / "a").exists()
+    text = " ".join(refused.output.split())
+    assert "more than its tolerance: rover_f32_imu, value: 52 m/s^2 above 50 m/s^2" in text
+    done = run(*arguments, "imu=60", "--tolerance", "0.01")
+    assert done.exit_code == 0, done.output
+    chosen = json.loads((tmp_path / "a/manifest.json").read_text())["options"]
+    assert chosen["tolerance"] == ["0.01", "imu=60.0"]
+    assert "--tolerance 0.01 --tolerance imu=60.0" in (tmp_path / "a/README.md").read_text()
+
+
+def test_functions_without_a_tolerance_may_err(tmp_path: Path) -> None:
+    arguments = ("rover", "--to", str(tmp_path / "a"), "--scalar", "float", "--tolerance")
+    assert run(*arguments, "gps=0.01").exit_code == 0
+    assert run(*arguments, "gps=0.001").exit_code == 2
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("nan",), "finite number above 0"),
+        (("inf",), "finite number above 0"),
+        (("0",), "finite number above 0"),
+        (("-1",), "finite number above 0"),
+        (("gps=nan",), "the tolerance of gps is nan"),
+        (("gps=-inf",), "the tolerance of gps is -inf"),
+        (("gps",), "neither a number nor FUNCTION=NUMBER"),
+        (("gps=",), "neither a number nor FUNCTION=NUMBER"),
+        (("=1",), "names no function"),
+        (("1", "2"), "is given twice"),
+        (("gps=1", "gps=2"), "gps is given twice"),
+        (("gsp=1",), "did you mean 'gps'?"),
+        (("retract=1",), "choose 'gps', 'range' or 'imu'"),
+    ],
+    ids=" ".join,
+)
+def test_what_is_no_tolerance_is_refused_at_once(
+    words: tuple[str, ...], said: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(pipeline, "derive", None)
+    options = [part for word in words for part in ("--tolerance", word)]
+    refused = run("rover", "--to", str(tmp_path / "a"), *options)
+    assert refused.exit_code == 2, refused.output
+    assert said in " ".join(refused.output.replace("│", " ").split())
+    assert not (tmp_path / "a").exists()
+
+
+def test_a_tolerance_in_python_is_checked_as_well(tmp_path: Path) -> None:
+    for number in (math.nan, math.inf, 0.0):
+        with pytest.raises(InputError, match="finite number above 0"):
+            pipeline.export(pipeline.load("rover"), tmp_path / "a", tolerance=number)
+    assert Tolerance.read(("imu=60", "0.01")).words == ("0.01", "imu=60.0")
+    assert Tolerance.read(Tolerance(1e-9, {"a": 1e300}).words) == Tolerance(1e-9, {"a": 1e300})
 
 
 def test_a_refused_export_leaves_an_older_bundle_alone(tmp_path: Path) -> None:
