@@ -156,9 +156,8 @@ def measure(folder: Path) -> Coverage:
 def _tools() -> _Tools | None:
     for version in VERSIONS:
         names = (f"clang-{version}", f"llvm-profdata-{version}", f"llvm-cov-{version}")
-        paths = [shutil.which(name) for name in names]
-        if all(paths):
-            return _Tools(*(str(path) for path in paths))
+        if all(shutil.which(name) for name in names):
+            return _Tools(*names)
     return None
 
 

@@ -106,7 +106,8 @@ class HostTests:
 def _tried(way: Way, folder: Path, sources: Sequence[str], program: str) -> str:
     built = tools.call(way.command(sources, program), folder)
     if built.code:
-        return f"does not compile: {built.output.strip()[:500]}"
+        said = built.output.strip()[:500] or f"exit status {built.code}"
+        return f"does not compile: {said}"
     ran = tools.call([*way.under, program], folder)
     return ran.output.strip() if not ran.code else f"exit status {ran.code}: {ran.output[-500:]}"
 
