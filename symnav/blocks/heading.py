@@ -47,7 +47,7 @@ class HeadingBlock(Block):
 
     @property
     def convention(self) -> str:
-        return "additive, wrapped to (-pi, pi]"
+        return "additive, wrapped to (-pi, pi] up to rounding"
 
     @property
     def initial(self) -> tuple[float, ...]:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from symnav import ir
 from symnav.emit.c.border import SUFFIX as BORDER
-from symnav.emit.c.literals import bounds
+from symnav.emit.c.literals import declared
 from symnav.export.evaluation import read_domains
 from symnav.export.prototypes import Parameter, Prototype, constants, prototypes, value_of
 from symnav.export.records import Tree
@@ -211,7 +211,7 @@ def _promised(
         array.name: Promise(
             argument.size,
             {
-                domain.start + k: bounds(domain.lower[k], domain.upper[k], scalar)
+                domain.start + k: declared(domain.lower[k], domain.upper[k], scalar)
                 for domain in read_domains(argument)
                 for k in range(domain.size)
             },

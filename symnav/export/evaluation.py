@@ -62,10 +62,17 @@ def constant(value: float, scalar: ir.Scalar) -> float:
 
 
 def bounds(lower: float, upper: float, scalar: ir.Scalar) -> tuple[Real, Real]:
-    """A closed range as the C writes it: in the type, rounded inwards."""
+    """The range of a guard as the C writes it: in the type, rounded inwards."""
     low, high = literals.bounds(lower, upper, scalar)
     kind = kind_of(scalar)
     return kind.type(low.removesuffix("F")), kind.type(high.removesuffix("F"))
+
+
+def declared(lower: float, upper: float, scalar: ir.Scalar) -> tuple[Real, Real]:
+    """The range of an input as the C writes it: the numbers of the type nearest to its ends."""
+    kind = kind_of(scalar)
+    low, high = literals.declared_ends(lower, upper, scalar)
+    return kind.type(low), kind.type(high)
 
 
 @dataclass
@@ -212,7 +219,7 @@ def _load(
                 low, high = (int(text) for text in literals.integer_bounds(lower, upper))
                 stand_in: Any = low
             elif function.checks_inputs:
-                low, high = bounds(lower, upper, arithmetic.scalar)
+                low, high = declared(lower, upper, arithmetic.scalar)
                 stand_in = arithmetic.kind.type(0.0) if low == -high else low
             else:
                 continue

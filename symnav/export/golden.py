@@ -25,7 +25,7 @@ from symnav.export.branches import beside_turns, decided, decisions, expressions
 from symnav.export.evaluation import (
     Outcome,
     Rows,
-    bounds,
+    declared,
     evaluate,
     kind_of,
     positions,
@@ -156,7 +156,7 @@ def _typed(function: ir.Function, scalar: ir.Scalar, drawn: Samples) -> dict[str
         array = array.astype(kind_of(scalar))
         for domain in argument.domains:
             for place in range(domain.size):
-                low, high = bounds(domain.lower[place], domain.upper[place], scalar)
+                low, high = declared(domain.lower[place], domain.upper[place], scalar)
                 column = array[:, domain.start + place]
                 array[:, domain.start + place] = np.clip(column, low, high)
         typed[argument.name] = array

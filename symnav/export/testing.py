@@ -21,7 +21,7 @@ from symnav.emit.c.literals import integer_bounds
 from symnav.emit.c.pieces import Parameter
 from symnav.emit.c.store import is_jacobian
 from symnav.emit.templates import render
-from symnav.export.evaluation import bounds, read_domains
+from symnav.export.evaluation import declared, read_domains
 from symnav.export.golden import Golden, golden
 from symnav.export.records import Bundle, Tree
 from symnav.export.slack import UNITS
@@ -223,11 +223,11 @@ class _Function:
                 self.tables.integers(f"{stem}_limits", limits, "Declared range: low, high."),
             ]
         ends = [
-            bounds(low, high, self.tables.scalar)
+            declared(low, high, self.tables.scalar)
             for domain in argument.domains
             for low, high in zip(domain.lower, domain.upper, strict=True)
         ]
-        remark = "Declared range, rounded inwards"
+        remark = "Declared range, in the type"
         return [
             *head,
             self.tables.reals(stem, values, f"Input {argument.name}, sample by sample."),

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symnav import ir
-from symnav.export.evaluation import bounds, constant, is_rotation, is_unit, kind_of
+from symnav.export.evaluation import constant, declared, is_rotation, is_unit, kind_of
 
 Array = NDArray[Any]
 
@@ -51,7 +51,8 @@ def turns(domain: ir.Domain, scalar: ir.Scalar) -> list[Turn]:
 
 def _within(domain: ir.Domain, scalar: ir.Scalar, elements: tuple[float, ...]) -> bool:
     """Another guard would judge what is outside the declared range."""
-    ends = [bounds(low, high, scalar) for low, high in zip(domain.lower, domain.upper, strict=True)]
+    pairs = zip(domain.lower, domain.upper, strict=True)
+    ends = [declared(low, high, scalar) for low, high in pairs]
     return all(
         float(low) <= e <= float(high) for e, (low, high) in zip(elements, ends, strict=True)
     )

@@ -172,7 +172,7 @@ def right_jacobian(graph: Graph, name: str, theta: Row) -> Matrix:
 
 
 def wrap(angle: sp.Expr) -> sp.Expr:
-    """The angle in (-pi, pi]."""
+    """The angle in (-pi, pi]; computed, it may be beyond either end by its rounding."""
     turn = sp.Float(6.283185307179586, 17)
     return angle + turn * sp.floor(sp.Rational(1, 2) - angle / turn)
 

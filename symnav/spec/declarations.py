@@ -39,8 +39,16 @@ from symnav.spec.schema import (
 
 #: Latitudes beyond this are refused by default: local-level axes turn too fast near the poles.
 LATITUDE_LIMIT = math.radians(89.9)
+#: Rounded to either type it is still short of pi/2.
+QUARTER_TURN = 1.570796
 HEIGHTS = (-1e4, 1e7)
 LOWEST_HEIGHT = -6e6
+
+#: End of the range of an angle that a retraction wraps. It wraps to (-pi, pi] up to rounding, in
+#: single precision to 3.1415927, which is more than pi: a range that ended at pi would refuse it.
+HALF_TURN = 3.1416
+#: An end of a declared range so near to pi is pi, written with a few digits.
+NEARLY_PI = 1e-4
 
 LOCAL_LEVEL = ("ned", "enu")
 
@@ -132,7 +140,24 @@ def state_blocks(tables: Tables, frames: Frames, names: Names) -> dict[str, Bloc
             table = table.model_copy(update={"storage": "wxyz"})
         if names.give(table.name, Use.STATE, f"{path}.name"):
             blocks[table.name] = block_of(table, path, frames)
+            _check_wrapped(blocks[table.name], path, names.problems)
     return blocks
+
+
+def _check_wrapped(block: Block, path: str, problems: Problems) -> None:
+    """A stored angle is wrapped, so a range beyond half a turn would never be reached."""
+    if isinstance(block, HeadingBlock):
+        what, ends = "heading", (*block.lower, *block.upper)
+    elif isinstance(block, GeodeticBlock):
+        what, ends = "longitude", (block.lower[1], block.upper[1])
+    else:
+        return
+    if ends and max(map(abs, ends)) > HALF_TURN:
+        problems.add(
+            f"{path}.range",
+            f"a stored {what} is wrapped to (-pi, pi]; its range stays within +-pi (up to "
+            f"+-{HALF_TURN} for rounding), not {min(ends)!r} to {max(ends)!r}",
+        )
 
 
 def block_of(table: StateTable, path: str, frames: Frames) -> Block:
@@ -180,8 +205,8 @@ def _rotation(table: RotationTable, path: str, frames: Frames) -> Block:
 
 def _heading(table: HeadingTable, path: str, frames: Frames) -> Block:
     maps = check_maps(table.maps, f"{path}.maps", frames)
-    lower, upper = _bounds(table.range or ((-math.pi, math.pi),), 1, f"{path}.range",
-                           frames.problems)  # fmt: skip
+    declared = tuple(map(_half_turns, table.range or ((-math.pi, math.pi),)))
+    lower, upper = _bounds(declared, 1, f"{path}.range", frames.problems)
     if lower and not (lower[0] >= -2 * math.pi and upper[0] <= 2 * math.pi):
         frames.problems.add(f"{path}.range", "a heading stays within one turn, +-2 pi")
     return HeadingBlock(table.name, lower, upper, table.description, maps, table.axis)
@@ -207,13 +232,23 @@ def geodetic_bounds(
         problems.add(path, "write three pairs: latitude, longitude (rad) and height (m)")
         pairs = None
     latitude, longitude, height = pairs or default
-    if not max(map(abs, latitude)) < math.pi / 2:
-        problems.add(path, "latitude stays inside +-pi/2 (radians)")
+    longitude = _half_turns(longitude)
+    if not max(map(abs, latitude)) <= QUARTER_TURN:
+        problems.add(path, f"latitude stays inside +-pi/2 (radians): up to +-{QUARTER_TURN}")
     if not max(map(abs, longitude)) <= 2 * math.pi:
         problems.add(path, "longitude stays within one turn, +-2 pi (radians)")
     if height[0] < LOWEST_HEIGHT:
         problems.add(path, f"height stays above {LOWEST_HEIGHT:g} m")
     lower, upper = zip(latitude, longitude, height, strict=True)
+    return lower, upper
+
+
+def _half_turns(pair: Pair) -> Pair:
+    """The range of an angle, its ends at -pi and pi moved out to where rounding may wrap to."""
+    lower, upper = (
+        math.copysign(HALF_TURN, end) if abs(abs(end) - math.pi) <= NEARLY_PI else end
+        for end in pair
+    )
     return lower, upper
 
 

@@ -11,7 +11,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from symnav import errors, ir
-from symnav.emit.c.literals import bounds, integer_bounds, literal
+from symnav.emit.c.literals import bounds, declared, integer_bounds, literal
 
 DOUBLE, FLOAT = ir.Scalar.DOUBLE, ir.Scalar.FLOAT
 LARGEST = float(np.finfo(np.float32).max)
@@ -66,6 +66,31 @@ def test_bounds_are_inside(one: float, other: float, scalar: ir.Scalar) -> None:
         assert lower <= float(low) and float(high) <= upper
         assert lower <= -LARGEST or not float(np.nextafter(low, real(-np.inf))) >= lower
         assert upper >= LARGEST or not float(np.nextafter(high, real(np.inf))) <= upper
+
+
+@given(st.floats(allow_nan=False), st.floats(allow_nan=False), st.sampled_from(ir.Scalar))
+def test_declared_ends_are_nearest(one: float, other: float, scalar: ir.Scalar) -> None:
+    """What a caller has who writes an end in the type is inside; zero only where zero was meant."""
+    lower, upper = min(one, other), max(one, other)
+    real = np.float64 if scalar is DOUBLE else np.float32
+    ends = [real(text.removesuffix("F")) for text in declared(lower, upper, scalar)]
+    largest = float(np.finfo(real).max)
+    for got, end in zip(ends, (lower, upper), strict=True):
+        meant = real(min(max(end, -largest), largest))
+        assert got == meant or (
+            meant == 0.0 != end and abs(got) == np.finfo(real).smallest_subnormal
+        )
+        assert np.sign(got) == np.sign(end)
+
+
+def test_declared_ends_as_users_write_them() -> None:
+    """A period of 0.05 s, which rounded inwards would refuse 0.05F; and no end is infinite."""
+    assert declared(1e-5, 0.05, FLOAT) == ("1.0e-05F", "0.05F")
+    assert declared(-0.1, 0.1, FLOAT) == ("-0.1F", "0.1F")
+    assert declared(1e-60, 1.0, FLOAT)[0] == literal(
+        float(np.finfo(np.float32).tiny) / 2**23, FLOAT
+    )
+    assert declared(-math.inf, math.inf, FLOAT) == bounds(-math.inf, math.inf, FLOAT)
 
 
 def test_range_between_two_floats() -> None:

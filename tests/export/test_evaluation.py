@@ -11,7 +11,7 @@ import pytest
 from mpmath import mp
 
 from symnav import ir, pipeline
-from symnav.export.evaluation import bounds, evaluate
+from symnav.export.evaluation import bounds, declared, evaluate
 from symnav.export.rounded import library, nearest
 from symnav.export.slack import slack
 
@@ -71,6 +71,11 @@ def test_library_at_special_places() -> None:
     for operation, x in ((Operation.ACOS, 1.5), (Operation.LOG, -1.0), (Operation.SIN, math.inf)):
         assert math.isnan(of(operation, x))
     assert of(Operation.LOG, 0.0) == -math.inf and math.isnan(of(Operation.SIN, math.nan))
+
+
+def test_declared_ends_are_those_of_the_type() -> None:
+    low, high = declared(-0.1, 0.05, FLOAT)
+    assert (low, high) == (np.float32(-0.1), np.float32(0.05)) and low.dtype == np.float32
 
 
 def test_bounds_are_inside_the_declared_range() -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import math
 import subprocess
 import sys
 from collections.abc import Callable
@@ -16,6 +15,7 @@ from symnav.blocks import GeodeticBlock, HeadingBlock, RotationBlock, VectorBloc
 from symnav.derive import derive
 from symnav.errors import InputError, SpecError
 from symnav.spec import Spec, from_table, load, loads
+from symnav.spec.declarations import HALF_TURN
 from symnav.spec.records import BySlot, BySystem, ToConstant, ToInput, ToState
 
 VALID = Path(__file__).parents[1] / "data" / "valid"
@@ -92,7 +92,7 @@ def test_a_declared_matrix_and_a_heading_serve_as_attitudes() -> None:
     assert isinstance(matrix, RotationBlock)
     assert matrix.storage_size == 9
     assert isinstance(turn, HeadingBlock)
-    assert (turn.lower, turn.upper) == ((-math.pi,), (math.pi,))
+    assert (turn.lower, turn.upper) == ((-HALF_TURN,), (HALF_TURN,))
     assert built.entries[0].frames["observer"] == "g"
 
 

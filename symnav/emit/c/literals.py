@@ -31,11 +31,28 @@ def literal(value: float, scalar: ir.Scalar) -> str:
     return _with_point(_plain(shortest)) + "F"
 
 
-def bounds(lower: float, upper: float, scalar: ir.Scalar) -> tuple[str, str]:
-    """Literals of a closed range, rounded inwards where the type cannot hold an end exactly.
+def declared(lower: float, upper: float, scalar: ir.Scalar) -> tuple[str, str]:
+    """Literals of the range of an input: its ends are the numbers nearest to what was declared.
 
-    An infinite end becomes the largest finite number, so that a range never admits infinity. A
-    range too narrow to hold any number of the type becomes the one number nearest to it.
+    They are what a caller has who writes the same number in the type, so that the ends themselves
+    are inside. An infinite end becomes the largest finite number; an end that is not zero keeps its
+    sign, so that a range that leaves zero out never admits it.
+    """
+    low, high = declared_ends(lower, upper, scalar)
+    return literal(low, scalar), literal(high, scalar)
+
+
+def declared_ends(lower: float, upper: float, scalar: ir.Scalar) -> tuple[float, float]:
+    """The numbers that ``declared`` writes."""
+    return _nearest(lower, scalar), _nearest(upper, scalar)
+
+
+def bounds(lower: float, upper: float, scalar: ir.Scalar) -> tuple[str, str]:
+    """Literals of a guard's range, rounded inwards where the type cannot hold an end exactly.
+
+    What passes is inside the range that the mathematics needs. An infinite end becomes the largest
+    finite number, so that a range never admits infinity. A range too narrow to hold any number of
+    the type becomes the one number nearest to it.
     """
     if scalar is ir.Scalar.DOUBLE:
         low, high = max(lower, -_DOUBLE_MAX), min(upper, _DOUBLE_MAX)
@@ -51,6 +68,14 @@ def integer_bounds(lower: float, upper: float) -> tuple[str, str]:
     low = max(math.ceil(max(lower, -2147483647.0)), -2147483647)
     high = min(math.floor(min(upper, 2147483647.0)), 2147483647)
     return str(low), str(high)
+
+
+def _nearest(end: float, scalar: ir.Scalar) -> float:
+    """The finite number of the type nearest to an end, zero only for zero."""
+    if scalar is ir.Scalar.DOUBLE:
+        return min(max(end, -_DOUBLE_MAX), _DOUBLE_MAX)
+    nearest = _to_float(min(max(end, -_FLOAT_MAX), _FLOAT_MAX))
+    return _step(0.0, upwards=end > 0.0) if nearest == 0.0 != end else nearest
 
 
 def _to_float(value: float) -> float:

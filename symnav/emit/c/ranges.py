@@ -53,7 +53,7 @@ def limits_of(element: Element, target: Target) -> Limits:
     """The declared range of an element."""
     if element.argument.integer:
         return Limits("index", ", ".join(integer_bounds(element.lower, element.upper)))
-    low, high = target.bounds(element.lower, element.upper)
+    low, high = target.declared(element.lower, element.upper)
     return Limits("centred", high) if low == f"-{high}" else Limits("value", f"{low}, {high}")
 
 

@@ -44,8 +44,12 @@ class Target:
         """A number in this type."""
         return literals.literal(value, self.scalar)
 
+    def declared(self, lower: float, upper: float) -> tuple[str, str]:
+        """The range of an input in this type: the numbers nearest to its ends."""
+        return literals.declared(lower, upper, self.scalar)
+
     def bounds(self, lower: float, upper: float) -> tuple[str, str]:
-        """A range in this type, rounded inwards."""
+        """The range of a guard in this type, rounded inwards."""
         return literals.bounds(lower, upper, self.scalar)
 
     def function(self, name: str) -> str:

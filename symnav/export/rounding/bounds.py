@@ -111,22 +111,29 @@ def _decided_otherwise(
 
 
 def ranges(function: ir.Function, graph: Graph, kind: Format) -> dict[ir.Load, Interval]:
-    """Declared range of every element that is read."""
-    largest = Interval(-kind.largest, kind.largest)
+    """Range of every element that is read: as it was declared, and as the C admits it."""
     loads = [node.content for node in graph.nodes if isinstance(node.content, ir.Load)]
-    return {load: _range(function, load).meet(largest) for load in loads}
+    return {load: _range(function, load, kind) for load in loads}
 
 
-def _range(function: ir.Function, load: ir.Load) -> Interval:
+def _admitted(lower: float, upper: float, kind: Format) -> Interval:
+    """A declared range with the numbers of the type nearest to its ends, which the C compares."""
+    lower, upper = (min(max(end, -kind.largest), kind.largest) for end in (lower, upper))
+    # What is rounded to zero has its end inside the range instead: literals.declared.
+    rounded = [kind.literal(end) or end for end in (lower, upper)]
+    return Interval(min(lower, rounded[0]), max(upper, rounded[1]))
+
+
+def _range(function: ir.Function, load: ir.Load, kind: Format) -> Interval:
     argument = next(a for a in function.arguments if a.name == load.argument)
     ends = [
-        Interval(domain.lower[k], domain.upper[k])
+        _admitted(domain.lower[k], domain.upper[k], kind)
         for domain in argument.domains
         for k in range(domain.size)
     ]
     if isinstance(load.index, int):
         return ends[load.index]
-    slots = _range(function, load.index.slot)
+    slots = _range(function, load.index.slot, kind)
     first = load.index.base + int(slots.lo)
     last = load.index.base + int(slots.hi)
     chosen = ends[first]

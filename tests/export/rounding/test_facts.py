@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from symnav import ir
+from symnav.export.evaluation import declared
 from symnav.export.rounding import polynomials
 from symnav.export.rounding.bounds import bounds, ranges
 from symnav.export.rounding.expressions import trace
@@ -317,6 +318,20 @@ def test_slots_reach_every_element_they_may_choose() -> None:
     one = replace(one, arguments=(*one.arguments, ir.Argument("k", 1, False, True, (whole,))))
     graph = trace(one)
     assert ranges(one, graph, KIND)[chosen] == Interval(-3.0, 5.0)
+
+
+@pytest.mark.parametrize("scalar", list(ir.Scalar))
+def test_inputs_are_what_the_c_admits(scalar: ir.Scalar) -> None:
+    """A declared end and the number of the type nearest to it, on whichever side that is."""
+    ends = ((-0.1, 0.05), (1e-60, 0.3), (-1e300, 1e300))
+    one = box([low for low, _ in ends], [high for _, high in ends], *(load(k) for k in range(3)))
+    inputs = ranges(one, trace(one), FORMATS[scalar])
+    for k, (low, high) in enumerate(ends):
+        held = inputs[load(k)]
+        admitted = [float(end) for end in declared(low, high, scalar)]
+        assert held.lo <= admitted[0] and admitted[1] <= held.hi
+        assert k == 2 or (held.lo <= low and high <= held.hi)
+    assert inputs[load(1)].lo > 0.0
 
 
 def test_numbers_are_told_apart_by_sign_of_zero() -> None:
