@@ -16,6 +16,7 @@ from symnav.emit.c.store import is_jacobian, layout_of
 from symnav.emit.templates import render
 from symnav.export import building
 from symnav.export.records import Bundle, Tree
+from symnav.figures import readable
 from symnav.lower.passes.counts import count_operations
 
 PATH = "docs/ICD.md"
@@ -153,7 +154,8 @@ def _guards(function: ir.Function) -> Iterator[str]:
     for step in (*function.shared, *function.item):
         if isinstance(step, ir.Check):
             what = step.comment.strip().rstrip(".") or step.target
-            yield f"{what}: {step.lower:g} to {step.upper:g}, else {step.status.name}"
+            limits = f"{readable(step.lower)} to {readable(step.upper)}"
+            yield f"{what}: {limits}, else {step.status.name}"
 
 
 def _inputs(function: ir.Function) -> Table:

@@ -19,6 +19,8 @@ from pydantic import (
     WithJsonSchema,
 )
 
+from symnav.figures import readable
+
 Pair = tuple[float, float]
 ErrorSign = Literal["true_minus_estimate", "estimate_minus_true"]
 ErrorConvention = Literal[
@@ -53,7 +55,8 @@ def _pair(value: list[object]) -> Pair:
         raise ValueError(f"{value!r} is not a pair [lower, upper]")
     lower, upper = (_number(bound) for bound in value)
     if not lower < upper:
-        raise ValueError(f"lower bound {lower:g} is not below upper bound {upper:g}")
+        low, high = readable(lower), readable(upper)
+        raise ValueError(f"lower bound {low} is not below upper bound {high}")
     return lower, upper
 
 

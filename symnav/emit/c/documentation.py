@@ -9,6 +9,7 @@ from symnav import ir
 from symnav.emit.c.comments import paragraph, tagged
 from symnav.emit.c.entries import EntryPoint
 from symnav.emit.c.target import Target
+from symnav.figures import readable
 from symnav.lower.passes.counts import count_operations
 
 _STATUS_TEXT = {
@@ -99,7 +100,7 @@ def _guards(function: ir.Function, symbol: str) -> Iterator[str]:
     for check in checks:
         yield from paragraph(
             f"- Guard ({check.status.name}): {check.comment.rstrip('.')}; "
-            f"{check.lower:g} to {check.upper:g}.",
+            f"{readable(check.lower)} to {readable(check.upper)}.",
             hang="  ",
         )
     text = "Outputs are written only when the status is OK"

@@ -11,6 +11,7 @@ from symnav.emit.c.kernel import Kernel
 from symnav.emit.c.pieces import Parameter
 from symnav.emit.c.rounding import rounding_text
 from symnav.emit.c.store import is_jacobian, layout_of
+from symnav.figures import readable
 
 EPOCHS = Parameter("int32_t epochs", "epochs", False, "in", "Number of epochs.")
 
@@ -259,12 +260,12 @@ def range_text(domain: ir.Domain) -> str:
     pairs = list(dict.fromkeys(zip(domain.lower, domain.upper, strict=True)))
     if domain.kind is ir.Kind.QUATERNION:
         order = " ".join(domain.labels)
-        return f"unit quaternion, order {order}, q.q = 1 within {domain.tolerance:g}"
+        return f"unit quaternion, order {order}, q.q = 1 within {readable(domain.tolerance)}"
     if domain.kind is ir.Kind.UNREAD:
         return "not read"
     if domain.kind is ir.Kind.MATRIX:
-        return f"rotation matrix, by row, orthonormal within {domain.tolerance:g}"
-    return "range " + ", ".join(f"{lower:g} to {upper:g}" for lower, upper in pairs)
+        return f"rotation matrix, by row, orthonormal within {readable(domain.tolerance)}"
+    return "range " + ", ".join(f"{readable(low)} to {readable(high)}" for low, high in pairs)
 
 
 def _in(frame: str) -> str:

@@ -10,6 +10,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
 
+from symnav.figures import readable
+
 WIDTH = 100
 _INDENT = "    "
 _GLUE = "\N{NO-BREAK SPACE}"
@@ -159,4 +161,4 @@ def _filled(text: str, depth: int, width: int = WIDTH) -> list[str]:
 
 def shown(value: float) -> str:
     """A bound as documentation shows it."""
-    return re.sub(r"e\+?(-?)0*", r"e\1", f"{value:g}")
+    return re.sub(r"e\+?(-?)0*", r"e\1", readable(value))
