@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -50,7 +50,7 @@ def function(
         "outputs": outputs,
     }
     if entry is None:
-        return ir.Function(**common, **_layout_facts(derivation.name))  # type: ignore[arg-type]
+        return ir.Function(**common, **_layout_facts(spec, derivation.name))  # type: ignore[arg-type]
     return ir.Function(**common, **_entry_facts(entry))  # type: ignore[arg-type]
 
 
@@ -71,20 +71,40 @@ def _entry_facts(entry: Entry) -> dict[str, object]:
     }
 
 
-def _layout_facts(name: str) -> dict[str, object]:
+def _layout_facts(spec: Spec, name: str) -> dict[str, object]:
     retract = name == "retract"
     return {
         "role": ir.Role.RETRACT if retract else ir.Role.LOCAL,
         "title": "State moved by an error" if retract else "Error between two states",
         "equation": "value = x (+) d" if retract else "value = y (-) x, so that x (+) value = y",
         "source": "the error conventions of the blocks",
-        "conventions": (),
+        "conventions": tuple(_renormalisation(spec)) if retract else (),
         "maximum": None,
         "items": ir.Items.REJECT,
         "guards": ir.Guards.STATUS,
         "column_major": False,
         "single_difference": False,
     }
+
+
+def _renormalisation(spec: Spec) -> Iterator[str]:
+    """What a caller has to do who feeds retracted quaternions back."""
+    blocks = [block for block in spec.layout.blocks if isinstance(block, RotationBlock)]
+    judged = [block for block in blocks if _is_quaternion(block)]
+    added = ", ".join(block.name for block in judged if block.error == "storage")
+    renewed = ("storage", "rotation_vector")
+    turned = ", ".join(block.name for block in judged if block.error not in renewed)
+    if turned:
+        yield (
+            f"Products of unit quaternions drift from unit norm by rounding ({turned}): "
+            "renormalise after every update, for which q *= 1.5 - 0.5 |q|^2 is enough; else calls "
+            "end in QNORM, in single precision after some hundred."
+        )
+    if added:
+        yield (
+            f"The sum of a quaternion and an error is no unit quaternion ({added}): divide it by "
+            "its norm after every update, else calls end in QNORM."
+        )
 
 
 # -- arguments -----------------------------------------------------------------------------------
