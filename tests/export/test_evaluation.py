@@ -75,7 +75,8 @@ def test_library_at_special_places() -> None:
 
 def test_declared_ends_are_those_of_the_type() -> None:
     low, high = declared(-0.1, 0.05, FLOAT)
-    assert (low, high) == (np.float32(-0.1), np.float32(0.05)) and low.dtype == np.float32
+    assert low.dtype == high.dtype == np.float32
+    assert float(low) == float(np.float32(-0.1)) and float(high) == float(np.float32(0.05))
 
 
 def test_bounds_are_inside_the_declared_range() -> None:

@@ -40,7 +40,7 @@ def near_the_seam(rng: np.random.Generator, kind: Any) -> NDArray[Any]:
     """Angles some numbers of the type away from half a turn, on either side of it."""
     angles = kind.type(math.pi) + np.spacing(kind.type(math.pi)) * rng.integers(-9, 10, COUNT)
     moved = np.where(rng.random(COUNT) < 0.3, rng.uniform(-6.0, 6.0, COUNT), angles)
-    return (moved * rng.choice([-1.0, 1.0], COUNT)).astype(kind)
+    return np.asarray(moved * rng.choice([-1.0, 1.0], COUNT), dtype=kind)
 
 
 @pytest.mark.parametrize("scalar", list(ir.Scalar))
