@@ -40,7 +40,7 @@ class _Retract(Protocol):
             - [9:13] attitude (map b -> l, unit quaternion w x y z)
             - [13:16] angular_rate (rad/s, frame l, range [-1e9, 1e9])
             - [16:19] angular_acceleration (rad/s^2, frame l, range [-1e9, 1e9])
-            - [19] heading (rad, map g -> l, range [-3.14159, 3.14159])
+            - [19] heading (rad, map g -> l, range [-3.1416, 3.1416])
             - [20:23] antenna_1 (m, frame b, range [-50, 50])
             - [23:26] antenna_2 (m, frame b, range [-50, 50])
         d : array_like, shape (..., 25)
@@ -75,6 +75,9 @@ class _Retract(Protocol):
         Other forms, with the same arguments: ``retract.value`` (value), ``retract.bind`` (a call
         without arguments over the same arrays), ``retract.blocks`` (epochs side by side, see
         ``retract.to_lanes``).
+        Products of unit quaternions drift from unit norm by rounding (attitude): renormalise after
+        every update, for which q *= 1.5 - 0.5 |q|^2 is enough; else calls end in QNORM, in single
+        precision after some hundred.
         Source: the error conventions of the blocks.
         """
     def bind(
@@ -143,7 +146,7 @@ class _Local(Protocol):
             - [9:13] attitude (map b -> l, unit quaternion w x y z)
             - [13:16] angular_rate (rad/s, frame l, range [-1e9, 1e9])
             - [16:19] angular_acceleration (rad/s^2, frame l, range [-1e9, 1e9])
-            - [19] heading (rad, map g -> l, range [-3.14159, 3.14159])
+            - [19] heading (rad, map g -> l, range [-3.1416, 3.1416])
             - [20:23] antenna_1 (m, frame b, range [-50, 50])
             - [23:26] antenna_2 (m, frame b, range [-50, 50])
         y : array_like, shape (..., 26)
@@ -153,7 +156,7 @@ class _Local(Protocol):
             - [9:13] attitude (map b -> l, unit quaternion w x y z)
             - [13:16] angular_rate (rad/s, frame l, range [-1e9, 1e9])
             - [16:19] angular_acceleration (rad/s^2, frame l, range [-1e9, 1e9])
-            - [19] heading (rad, map g -> l, range [-3.14159, 3.14159])
+            - [19] heading (rad, map g -> l, range [-3.1416, 3.1416])
             - [20:23] antenna_1 (m, frame b, range [-50, 50])
             - [23:26] antenna_2 (m, frame b, range [-50, 50])
         out : LocalResult, tuple or dict of arrays, optional
@@ -253,7 +256,7 @@ class _Gps_1(Protocol):
             - [9:13] attitude (map b -> l, unit quaternion w x y z)
             - [13:16] angular_rate (rad/s, frame l, not read)
             - [16:19] angular_acceleration (rad/s^2, frame l, not read)
-            - [19] heading (rad, map g -> l, range [-3.14159, 3.14159])
+            - [19] heading (rad, map g -> l, range [-3.1416, 3.1416])
             - [20:23] antenna_1 (m, frame b, range [-50, 50])
             - [23:26] antenna_2 (m, frame b, not read)
         origin : array_like, shape (..., 3)
@@ -392,7 +395,7 @@ class _Gps_2(Protocol):
             - [9:13] attitude (map b -> l, unit quaternion w x y z)
             - [13:16] angular_rate (rad/s, frame l, not read)
             - [16:19] angular_acceleration (rad/s^2, frame l, not read)
-            - [19] heading (rad, map g -> l, range [-3.14159, 3.14159])
+            - [19] heading (rad, map g -> l, range [-3.1416, 3.1416])
             - [20:23] antenna_1 (m, frame b, not read)
             - [23:26] antenna_2 (m, frame b, range [-50, 50])
         origin : array_like, shape (..., 3)
