@@ -56,6 +56,7 @@ def kept(*steps: ir.Step, value: str) -> list[str]:
         (ir.Number(0.5), 0.5, 1.0, True),  # a rounding below
         (ir.Number(0.5), 0.0, 0.5, True),  # and above
         (call(Op.OWN_COS, a(0)), -1.1, 1.1, False),
+        (call(Op.OWN_COS, a(0)), -0.9, 1.1, True),
         (call(Op.OWN_SIN, a(0)), -0.9, 1.1, True),
         (call(Op.TAN, a(0)), -1e30, 1e30, True),
         (call(Op.MAX, a(0), 2.0), 1.9, 5.1, False),
