@@ -6,7 +6,7 @@ import pytest
 
 from benchmarks.lines import lines_of_code
 
-pytest.importorskip("clang_format")
+pytest.importorskip("clang_format", reason="needs clang-format")
 
 SOURCE = """
 #include <math.h>
