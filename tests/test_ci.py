@@ -1,4 +1,4 @@
-"""Continuous integration notices tests that are skipped."""
+"""Continuous integration notices tests that are skipped, and says what for."""
 
 from __future__ import annotations
 
