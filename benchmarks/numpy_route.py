@@ -96,7 +96,8 @@ def imported(problem: Problem, folder: Path, *, assume: bool) -> Callable[..., A
     spec = folder / problem.spec.name
     spec.write_text(text, encoding="utf-8")
     package = pipeline.import_package(pipeline.generate(pipeline.load(spec), folder).package)
-    return getattr(package.numpy, FUNCTION)  # type: ignore[no-any-return]
+    function: Call = getattr(package.numpy, FUNCTION)
+    return function
 
 
 def ways(
