@@ -55,6 +55,8 @@ def kept(*steps: ir.Step, value: str) -> list[str]:
         (ir.Number(0.0), -1.0, 0.0, False),
         (ir.Number(0.5), 0.5, 1.0, True),  # a rounding below
         (ir.Number(0.5), 0.0, 0.5, True),  # and above
+        (ir.Number(3e-44), 2.5e-44, 1.0, True),  # a rounding of subnormal numbers
+        (ir.Number(-3e-44), -1.0, -2.5e-44, True),
         (call(Op.OWN_COS, a(0)), -1.1, 1.1, False),
         (call(Op.OWN_COS, a(0)), -0.9, 1.1, True),
         (call(Op.OWN_SIN, a(0)), -0.9, 1.1, True),
