@@ -86,7 +86,7 @@ class Entries:
         for argument in self.function.arguments:
             arguments += [self._place(argument), str(self.record)]
             if self._mapped and len(arguments) == 3:
-                arguments.append(str(self.items))
+                arguments.append("items")
         at = 0
         for output in self.function.outputs:
             size = self._sparse_size(output) if nonzeros else self._size(output)
@@ -94,7 +94,7 @@ class Entries:
                 arguments.append(f"out + {at}")
                 at += EPOCHS * size
         arguments += ["status", *(["item_status"] if self._mapped else [])]
-        room = [f"static unsigned char status[{EPOCHS}];"]
+        room = [*self._count(), f"static unsigned char status[{EPOCHS}];"]
         room += (
             [f"static unsigned char item_status[{EPOCHS * self.items}];"] if self._mapped else []
         )
@@ -151,9 +151,13 @@ class Entries:
         """Locals of an adapter and the arguments of its call."""
         first, *rest = [self._place(argument) for argument in self.function.arguments]
         items = ["item_status"] if self._mapped else []
-        arguments = [first, *([str(self.items)] if self._mapped else []), *rest, *outputs, *items]
+        arguments = [first, *(["items"] if self._mapped else []), *rest, *outputs, *items]
         room = [f"static unsigned char item_status[{self.items}];"] if self._mapped else []
-        return room, arguments
+        return [*self._count(), *room], arguments
+
+    def _count(self) -> list[str]:
+        """The count, which is a run-time argument and must not be one the compiler knows."""
+        return [f"static volatile int32_t items = {self.items};"] if self._mapped else []
 
     def _candidate(
         self,

@@ -42,7 +42,7 @@ _HELPERS: Mapping[str, tuple[str, ...]] = {
     "is_index_outside": (),
     "take_index": (),
     "is_skewed_quaternion": (),
-    "is_skewed_matrix": (),
+    "is_skewed_matrix": ("is_beyond",),
     "smaller_of": (),
     "larger_of": (),
     "rows_to_lanes": (),

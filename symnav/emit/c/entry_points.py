@@ -116,8 +116,9 @@ class Single:
     def _call_context(self, entry: EntryPoint, stores: Sequence[str]) -> dict[str, object]:
         names = [argument.name for argument in self.kernel.function.arguments]
         depth = 3 if self._can_fail else 2
+        target = self.kernel.target
         return {
-            "head": entry.prototype(self.kernel.target.status),
+            "head": entry.prototype(f"{target.macro}_NARROW {target.status}"),
             "pointers": comments.code(f"if ({entry.pointers}) {{"),
             "locals": self._locals(),
             "load": self._load(names),

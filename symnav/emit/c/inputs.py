@@ -20,7 +20,7 @@ from symnav.emit.c import comments
 from symnav.emit.c.elements import Element, elements_of
 from symnav.emit.c.names import Names
 from symnav.emit.c.pieces import Field, Routine, Struct, head
-from symnav.emit.c.ranges import has_norm, judged_loads, limits_of, runs_of
+from symnav.emit.c.ranges import has_norm, judged_loads, limits_of, runs_of, verdict
 from symnav.emit.c.slots import Span
 from symnav.emit.c.target import Target
 
@@ -316,7 +316,8 @@ class Inputs:
         for lines in (conditions, self._norms(arguments)):
             yield from ["", *lines] if lines else []
         yield ""
-        yield from self._verdict(flagged=flagged, judged=bool(conditions), skewed=skewed)
+        text = verdict(self.target, flagged=flagged, judged=bool(conditions), skewed=skewed)
+        yield from comments.code(f"return {text};")
 
     def _is_flagged(self, argument: ir.Argument) -> bool:
         """True where every element is looked at when it is copied, and one by one.
@@ -392,18 +393,6 @@ class Inputs:
         tolerance = self.target.literal(domain.tolerance)
         test = f"is_skewed_{domain.kind.value}"
         return comments.code(f"skewed |= {test}({', '.join([*texts, tolerance])});")
-
-    def _verdict(self, *, flagged: bool, judged: bool, skewed: bool) -> list[str]:
-        code = self.target.flag
-        text = code(ir.Status.OK)
-        if skewed:
-            text = f"(skewed != 0U) ? {code(ir.Status.QNORM)} : {text}"
-        faults = [*(["(outside != 0U)"] if flagged else []), *(["!inside"] if judged else [])]
-        if faults:
-            rest = f"({text})" if skewed else text
-            fault = f"({' || '.join(faults)})" if faults != ["(outside != 0U)"] else faults[0]
-            text = f"{fault} ? {code(ir.Status.RANGE)} : {rest}"
-        return comments.code(f"return {text};")
 
 
 def inputs_of(function: ir.Function, target: Target, loads: Collection[ir.Load]) -> Inputs:

@@ -93,9 +93,8 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t gps_load_lane(
     outside |= take_centred(measured[stride], 1000000000.0, &in->measured_y);
     outside |= take_centred(measured[2 * stride], 1000000000.0, &in->measured_z);
 
-    return (outside != 0U) ? (ekf_cal_gps_flag_t)EKF_CAL_GPS_RANGE :
-        ((skewed != 0U) ? (ekf_cal_gps_flag_t)EKF_CAL_GPS_QNORM :
-            (ekf_cal_gps_flag_t)EKF_CAL_GPS_OK);
+    return (outside * (ekf_cal_gps_flag_t)EKF_CAL_GPS_RANGE) +
+        ((skewed & ~outside) * (ekf_cal_gps_flag_t)EKF_CAL_GPS_QNORM);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -208,7 +207,7 @@ EKF_CAL_GPS_INLINE void gps_fill_jacobian(
     dense[62] = nonzeros[20 * stride];
 }
 
-ekf_cal_gps_status_t ekf_cal_gps_gps(
+EKF_CAL_GPS_NARROW ekf_cal_gps_status_t ekf_cal_gps_gps(
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT EKF_CAL_GPS_STATE_SIZE],
     const ekf_cal_gps_real_t measured[EKF_CAL_GPS_RESTRICT 3],
     ekf_cal_gps_real_t value[EKF_CAL_GPS_RESTRICT 3],
@@ -235,7 +234,7 @@ ekf_cal_gps_status_t ekf_cal_gps_gps(
     return status;
 }
 
-ekf_cal_gps_status_t ekf_cal_gps_gps_value(
+EKF_CAL_GPS_NARROW ekf_cal_gps_status_t ekf_cal_gps_gps_value(
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT EKF_CAL_GPS_STATE_SIZE],
     const ekf_cal_gps_real_t measured[EKF_CAL_GPS_RESTRICT 3],
     ekf_cal_gps_real_t value[EKF_CAL_GPS_RESTRICT 3],
@@ -259,7 +258,7 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_value(
     return status;
 }
 
-ekf_cal_gps_status_t ekf_cal_gps_gps_jacobian(
+EKF_CAL_GPS_NARROW ekf_cal_gps_status_t ekf_cal_gps_gps_jacobian(
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT EKF_CAL_GPS_STATE_SIZE],
     const ekf_cal_gps_real_t measured[EKF_CAL_GPS_RESTRICT 3],
     ekf_cal_gps_real_t jacobian[EKF_CAL_GPS_RESTRICT 63])
@@ -281,7 +280,7 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_jacobian(
     return status;
 }
 
-ekf_cal_gps_status_t ekf_cal_gps_gps_nz(
+EKF_CAL_GPS_NARROW ekf_cal_gps_status_t ekf_cal_gps_gps_nz(
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT EKF_CAL_GPS_STATE_SIZE],
     const ekf_cal_gps_real_t measured[EKF_CAL_GPS_RESTRICT 3],
     ekf_cal_gps_real_t value[EKF_CAL_GPS_RESTRICT 3],

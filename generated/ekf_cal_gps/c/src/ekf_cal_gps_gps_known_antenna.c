@@ -85,9 +85,8 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t gps_known_antenna_load_lane(
     outside |= take_centred(measured[stride], 1000000000.0, &in->measured_y);
     outside |= take_centred(measured[2 * stride], 1000000000.0, &in->measured_z);
 
-    return (outside != 0U) ? (ekf_cal_gps_flag_t)EKF_CAL_GPS_RANGE :
-        ((skewed != 0U) ? (ekf_cal_gps_flag_t)EKF_CAL_GPS_QNORM :
-            (ekf_cal_gps_flag_t)EKF_CAL_GPS_OK);
+    return (outside * (ekf_cal_gps_flag_t)EKF_CAL_GPS_RANGE) +
+        ((skewed & ~outside) * (ekf_cal_gps_flag_t)EKF_CAL_GPS_QNORM);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -180,7 +179,7 @@ EKF_CAL_GPS_INLINE void gps_known_antenna_fill_jacobian(
     }
 }
 
-ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna(
+EKF_CAL_GPS_NARROW ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna(
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT EKF_CAL_GPS_STATE_SIZE],
     const ekf_cal_gps_real_t lever_arm[EKF_CAL_GPS_RESTRICT 3],
     const ekf_cal_gps_real_t measured[EKF_CAL_GPS_RESTRICT 3],
@@ -208,7 +207,7 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna(
     return status;
 }
 
-ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_value(
+EKF_CAL_GPS_NARROW ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_value(
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT EKF_CAL_GPS_STATE_SIZE],
     const ekf_cal_gps_real_t lever_arm[EKF_CAL_GPS_RESTRICT 3],
     const ekf_cal_gps_real_t measured[EKF_CAL_GPS_RESTRICT 3],
@@ -234,7 +233,7 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_value(
     return status;
 }
 
-ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_jacobian(
+EKF_CAL_GPS_NARROW ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_jacobian(
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT EKF_CAL_GPS_STATE_SIZE],
     const ekf_cal_gps_real_t lever_arm[EKF_CAL_GPS_RESTRICT 3],
     const ekf_cal_gps_real_t measured[EKF_CAL_GPS_RESTRICT 3],
@@ -257,7 +256,7 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_jacobian(
     return status;
 }
 
-ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_nz(
+EKF_CAL_GPS_NARROW ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_nz(
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT EKF_CAL_GPS_STATE_SIZE],
     const ekf_cal_gps_real_t lever_arm[EKF_CAL_GPS_RESTRICT 3],
     const ekf_cal_gps_real_t measured[EKF_CAL_GPS_RESTRICT 3],

@@ -124,9 +124,8 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t local_load_lane(
     outside |= take_centred(y[20 * stride], 50.0, &in->antenna_y_2);
     outside |= take_centred(y[21 * stride], 50.0, &in->antenna_z_2);
 
-    return (outside != 0U) ? (ekf_cal_gps_flag_t)EKF_CAL_GPS_RANGE :
-        ((skewed != 0U) ? (ekf_cal_gps_flag_t)EKF_CAL_GPS_QNORM :
-            (ekf_cal_gps_flag_t)EKF_CAL_GPS_OK);
+    return (outside * (ekf_cal_gps_flag_t)EKF_CAL_GPS_RANGE) +
+        ((skewed & ~outside) * (ekf_cal_gps_flag_t)EKF_CAL_GPS_QNORM);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -211,7 +210,7 @@ EKF_CAL_GPS_INLINE void local_fill_value(
     dense[20] = nonzeros[20 * stride];
 }
 
-ekf_cal_gps_status_t ekf_cal_gps_local(
+EKF_CAL_GPS_NARROW ekf_cal_gps_status_t ekf_cal_gps_local(
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT EKF_CAL_GPS_STATE_SIZE],
     const ekf_cal_gps_real_t y[EKF_CAL_GPS_RESTRICT 22],
     ekf_cal_gps_real_t value[EKF_CAL_GPS_RESTRICT 21])

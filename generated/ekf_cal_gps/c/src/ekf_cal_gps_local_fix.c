@@ -89,8 +89,7 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t local_fix_load_lane(
     outside |= take_centred(covariance_2[7 * stride], 1000000000000.0, &in->covariance_2_7);
     outside |= take_centred(covariance_2[8 * stride], 1000000000000.0, &in->covariance_2_8);
 
-    return (outside != 0U) ? (ekf_cal_gps_flag_t)EKF_CAL_GPS_RANGE :
-        (ekf_cal_gps_flag_t)EKF_CAL_GPS_OK;
+    return outside * (ekf_cal_gps_flag_t)EKF_CAL_GPS_RANGE;
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -165,7 +164,7 @@ EKF_CAL_GPS_INLINE void local_fix_fill_value_covariance(
     dense[8] = nonzeros[8 * stride];
 }
 
-ekf_cal_gps_status_t ekf_cal_gps_local_fix(
+EKF_CAL_GPS_NARROW ekf_cal_gps_status_t ekf_cal_gps_local_fix(
     const ekf_cal_gps_real_t heading[EKF_CAL_GPS_RESTRICT 1],
     const ekf_cal_gps_real_t fix[EKF_CAL_GPS_RESTRICT 3],
     const ekf_cal_gps_real_t reference_2[EKF_CAL_GPS_RESTRICT 3],
@@ -194,7 +193,7 @@ ekf_cal_gps_status_t ekf_cal_gps_local_fix(
     return status;
 }
 
-ekf_cal_gps_status_t ekf_cal_gps_local_fix_value(
+EKF_CAL_GPS_NARROW ekf_cal_gps_status_t ekf_cal_gps_local_fix_value(
     const ekf_cal_gps_real_t heading[EKF_CAL_GPS_RESTRICT 1],
     const ekf_cal_gps_real_t fix[EKF_CAL_GPS_RESTRICT 3],
     const ekf_cal_gps_real_t reference_2[EKF_CAL_GPS_RESTRICT 3],
@@ -221,7 +220,7 @@ ekf_cal_gps_status_t ekf_cal_gps_local_fix_value(
     return status;
 }
 
-ekf_cal_gps_status_t ekf_cal_gps_local_fix_jacobian(
+EKF_CAL_GPS_NARROW ekf_cal_gps_status_t ekf_cal_gps_local_fix_jacobian(
     const ekf_cal_gps_real_t heading[EKF_CAL_GPS_RESTRICT 1],
     const ekf_cal_gps_real_t fix[EKF_CAL_GPS_RESTRICT 3],
     const ekf_cal_gps_real_t reference_2[EKF_CAL_GPS_RESTRICT 3],
@@ -246,7 +245,7 @@ ekf_cal_gps_status_t ekf_cal_gps_local_fix_jacobian(
     return status;
 }
 
-ekf_cal_gps_status_t ekf_cal_gps_local_fix_nz(
+EKF_CAL_GPS_NARROW ekf_cal_gps_status_t ekf_cal_gps_local_fix_nz(
     const ekf_cal_gps_real_t heading[EKF_CAL_GPS_RESTRICT 1],
     const ekf_cal_gps_real_t fix[EKF_CAL_GPS_RESTRICT 3],
     const ekf_cal_gps_real_t reference_2[EKF_CAL_GPS_RESTRICT 3],

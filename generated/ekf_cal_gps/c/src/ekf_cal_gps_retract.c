@@ -122,9 +122,8 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t retract_load_lane(
     outside |= take_centred(d[19 * stride], 1000000000.0, &in->antenna_y_2);
     outside |= take_centred(d[20 * stride], 1000000000.0, &in->antenna_z_2);
 
-    return (outside != 0U) ? (ekf_cal_gps_flag_t)EKF_CAL_GPS_RANGE :
-        ((skewed != 0U) ? (ekf_cal_gps_flag_t)EKF_CAL_GPS_QNORM :
-            (ekf_cal_gps_flag_t)EKF_CAL_GPS_OK);
+    return (outside * (ekf_cal_gps_flag_t)EKF_CAL_GPS_RANGE) +
+        ((skewed & ~outside) * (ekf_cal_gps_flag_t)EKF_CAL_GPS_QNORM);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -209,7 +208,7 @@ EKF_CAL_GPS_INLINE void retract_fill_value(
     dense[21] = nonzeros[21 * stride];
 }
 
-ekf_cal_gps_status_t ekf_cal_gps_retract(
+EKF_CAL_GPS_NARROW ekf_cal_gps_status_t ekf_cal_gps_retract(
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT EKF_CAL_GPS_STATE_SIZE],
     const ekf_cal_gps_real_t d[EKF_CAL_GPS_RESTRICT 21],
     ekf_cal_gps_real_t value[EKF_CAL_GPS_RESTRICT 22])

@@ -62,6 +62,14 @@
 #define EKF_CAL_ONLINE_WIDE
 #endif
 
+/* Straight-line arithmetic of one call: wide vector registers lose more by collecting numbers from
+   here and there than they gain. */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
+#define EKF_CAL_ONLINE_NARROW __attribute__((target("prefer-vector-width=128")))
+#else
+#define EKF_CAL_ONLINE_NARROW
+#endif
+
 /* Flags and status codes inside kernels: an integer as wide as ekf_cal_online_real_t, so that a vector
    register holds as many of one as of the other. */
 typedef uint64_t ekf_cal_online_flag_t;

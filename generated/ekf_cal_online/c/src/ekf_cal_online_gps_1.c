@@ -117,9 +117,8 @@ EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t gps_1_load_lane(
     outside |= take_centred(measured[stride], 1000000000.0, &in->measured_y);
     outside |= take_centred(measured[2 * stride], 1000000000.0, &in->measured_z);
 
-    return (outside != 0U) ? (ekf_cal_online_flag_t)EKF_CAL_ONLINE_RANGE :
-        ((skewed != 0U) ? (ekf_cal_online_flag_t)EKF_CAL_ONLINE_QNORM :
-            (ekf_cal_online_flag_t)EKF_CAL_ONLINE_OK);
+    return (outside * (ekf_cal_online_flag_t)EKF_CAL_ONLINE_RANGE) +
+        ((skewed & ~outside) * (ekf_cal_online_flag_t)EKF_CAL_ONLINE_QNORM);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -271,7 +270,7 @@ EKF_CAL_ONLINE_INLINE void gps_1_fill_jacobian_origin(
     dense[8] = nonzeros[2 * stride];
 }
 
-ekf_cal_online_status_t ekf_cal_online_gps_1(
+EKF_CAL_ONLINE_NARROW ekf_cal_online_status_t ekf_cal_online_gps_1(
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT EKF_CAL_ONLINE_STATE_SIZE],
     const ekf_cal_online_real_t origin[EKF_CAL_ONLINE_RESTRICT 3],
     const ekf_cal_online_real_t measured[EKF_CAL_ONLINE_RESTRICT 3],
@@ -301,7 +300,7 @@ ekf_cal_online_status_t ekf_cal_online_gps_1(
     return status;
 }
 
-ekf_cal_online_status_t ekf_cal_online_gps_1_value(
+EKF_CAL_ONLINE_NARROW ekf_cal_online_status_t ekf_cal_online_gps_1_value(
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT EKF_CAL_ONLINE_STATE_SIZE],
     const ekf_cal_online_real_t origin[EKF_CAL_ONLINE_RESTRICT 3],
     const ekf_cal_online_real_t measured[EKF_CAL_ONLINE_RESTRICT 3],
@@ -327,7 +326,7 @@ ekf_cal_online_status_t ekf_cal_online_gps_1_value(
     return status;
 }
 
-ekf_cal_online_status_t ekf_cal_online_gps_1_jacobian(
+EKF_CAL_ONLINE_NARROW ekf_cal_online_status_t ekf_cal_online_gps_1_jacobian(
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT EKF_CAL_ONLINE_STATE_SIZE],
     const ekf_cal_online_real_t origin[EKF_CAL_ONLINE_RESTRICT 3],
     const ekf_cal_online_real_t measured[EKF_CAL_ONLINE_RESTRICT 3],
@@ -353,7 +352,7 @@ ekf_cal_online_status_t ekf_cal_online_gps_1_jacobian(
     return status;
 }
 
-ekf_cal_online_status_t ekf_cal_online_gps_1_nz(
+EKF_CAL_ONLINE_NARROW ekf_cal_online_status_t ekf_cal_online_gps_1_nz(
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT EKF_CAL_ONLINE_STATE_SIZE],
     const ekf_cal_online_real_t origin[EKF_CAL_ONLINE_RESTRICT 3],
     const ekf_cal_online_real_t measured[EKF_CAL_ONLINE_RESTRICT 3],

@@ -117,9 +117,8 @@ EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t gps_2_load_lane(
     outside |= take_centred(measured[stride], 1000000000.0, &in->measured_y);
     outside |= take_centred(measured[2 * stride], 1000000000.0, &in->measured_z);
 
-    return (outside != 0U) ? (ekf_cal_online_flag_t)EKF_CAL_ONLINE_RANGE :
-        ((skewed != 0U) ? (ekf_cal_online_flag_t)EKF_CAL_ONLINE_QNORM :
-            (ekf_cal_online_flag_t)EKF_CAL_ONLINE_OK);
+    return (outside * (ekf_cal_online_flag_t)EKF_CAL_ONLINE_RANGE) +
+        ((skewed & ~outside) * (ekf_cal_online_flag_t)EKF_CAL_ONLINE_QNORM);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -264,7 +263,7 @@ EKF_CAL_ONLINE_INLINE void gps_2_fill_jacobian_origin(
     dense[8] = nonzeros[2 * stride];
 }
 
-ekf_cal_online_status_t ekf_cal_online_gps_2(
+EKF_CAL_ONLINE_NARROW ekf_cal_online_status_t ekf_cal_online_gps_2(
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT EKF_CAL_ONLINE_STATE_SIZE],
     const ekf_cal_online_real_t origin[EKF_CAL_ONLINE_RESTRICT 3],
     const ekf_cal_online_real_t measured[EKF_CAL_ONLINE_RESTRICT 3],
@@ -294,7 +293,7 @@ ekf_cal_online_status_t ekf_cal_online_gps_2(
     return status;
 }
 
-ekf_cal_online_status_t ekf_cal_online_gps_2_value(
+EKF_CAL_ONLINE_NARROW ekf_cal_online_status_t ekf_cal_online_gps_2_value(
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT EKF_CAL_ONLINE_STATE_SIZE],
     const ekf_cal_online_real_t origin[EKF_CAL_ONLINE_RESTRICT 3],
     const ekf_cal_online_real_t measured[EKF_CAL_ONLINE_RESTRICT 3],
@@ -320,7 +319,7 @@ ekf_cal_online_status_t ekf_cal_online_gps_2_value(
     return status;
 }
 
-ekf_cal_online_status_t ekf_cal_online_gps_2_jacobian(
+EKF_CAL_ONLINE_NARROW ekf_cal_online_status_t ekf_cal_online_gps_2_jacobian(
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT EKF_CAL_ONLINE_STATE_SIZE],
     const ekf_cal_online_real_t origin[EKF_CAL_ONLINE_RESTRICT 3],
     const ekf_cal_online_real_t measured[EKF_CAL_ONLINE_RESTRICT 3],
@@ -346,7 +345,7 @@ ekf_cal_online_status_t ekf_cal_online_gps_2_jacobian(
     return status;
 }
 
-ekf_cal_online_status_t ekf_cal_online_gps_2_nz(
+EKF_CAL_ONLINE_NARROW ekf_cal_online_status_t ekf_cal_online_gps_2_nz(
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT EKF_CAL_ONLINE_STATE_SIZE],
     const ekf_cal_online_real_t origin[EKF_CAL_ONLINE_RESTRICT 3],
     const ekf_cal_online_real_t measured[EKF_CAL_ONLINE_RESTRICT 3],

@@ -144,9 +144,8 @@ EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t local_load_lane(
     outside |= take_centred(y[24 * stride], 50.0, &in->antenna_2_y_2);
     outside |= take_centred(y[25 * stride], 50.0, &in->antenna_2_z_2);
 
-    return (outside != 0U) ? (ekf_cal_online_flag_t)EKF_CAL_ONLINE_RANGE :
-        ((skewed != 0U) ? (ekf_cal_online_flag_t)EKF_CAL_ONLINE_QNORM :
-            (ekf_cal_online_flag_t)EKF_CAL_ONLINE_OK);
+    return (outside * (ekf_cal_online_flag_t)EKF_CAL_ONLINE_RANGE) +
+        ((skewed & ~outside) * (ekf_cal_online_flag_t)EKF_CAL_ONLINE_QNORM);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -243,7 +242,7 @@ EKF_CAL_ONLINE_INLINE void local_fill_value(
     dense[24] = nonzeros[24 * stride];
 }
 
-ekf_cal_online_status_t ekf_cal_online_local(
+EKF_CAL_ONLINE_NARROW ekf_cal_online_status_t ekf_cal_online_local(
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT EKF_CAL_ONLINE_STATE_SIZE],
     const ekf_cal_online_real_t y[EKF_CAL_ONLINE_RESTRICT 26],
     ekf_cal_online_real_t value[EKF_CAL_ONLINE_RESTRICT 25])

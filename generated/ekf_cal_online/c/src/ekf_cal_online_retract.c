@@ -142,9 +142,8 @@ EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t retract_load_lane(
     outside |= take_centred(d[23 * stride], 1000000000.0, &in->antenna_2_y_2);
     outside |= take_centred(d[24 * stride], 1000000000.0, &in->antenna_2_z_2);
 
-    return (outside != 0U) ? (ekf_cal_online_flag_t)EKF_CAL_ONLINE_RANGE :
-        ((skewed != 0U) ? (ekf_cal_online_flag_t)EKF_CAL_ONLINE_QNORM :
-            (ekf_cal_online_flag_t)EKF_CAL_ONLINE_OK);
+    return (outside * (ekf_cal_online_flag_t)EKF_CAL_ONLINE_RANGE) +
+        ((skewed & ~outside) * (ekf_cal_online_flag_t)EKF_CAL_ONLINE_QNORM);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -241,7 +240,7 @@ EKF_CAL_ONLINE_INLINE void retract_fill_value(
     dense[25] = nonzeros[25 * stride];
 }
 
-ekf_cal_online_status_t ekf_cal_online_retract(
+EKF_CAL_ONLINE_NARROW ekf_cal_online_status_t ekf_cal_online_retract(
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT EKF_CAL_ONLINE_STATE_SIZE],
     const ekf_cal_online_real_t d[EKF_CAL_ONLINE_RESTRICT 25],
     ekf_cal_online_real_t value[EKF_CAL_ONLINE_RESTRICT 26])

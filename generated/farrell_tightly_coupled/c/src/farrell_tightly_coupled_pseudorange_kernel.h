@@ -142,8 +142,7 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t pseudorange_load_i
     /* measured [m] */
     outside |= take_centred(measured[0], 1000000000.0, &item->measured);
 
-    return (outside != 0U) ? (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_RANGE :
-        (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK;
+    return outside * (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_RANGE;
 }
 
 /* Pseudoranges from the antenna to satellites: one item. */

@@ -109,10 +109,8 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t retract_load_lane(
     outside |= take_centred(d[15 * stride], 1000000000.0, &in->x_g_y_2);
     outside |= take_centred(d[16 * stride], 1000000000.0, &in->x_g_z_2);
 
-    return (outside != 0U) ? (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_RANGE :
-        ((skewed != 0U) ?
-        (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_QNORM :
-            (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK);
+    return (outside * (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_RANGE) +
+        ((skewed & ~outside) * (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_QNORM);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -185,7 +183,7 @@ FARRELL_TIGHTLY_COUPLED_INLINE void retract_fill_value(
     dense[17] = nonzeros[17 * stride];
 }
 
-farrell_tightly_coupled_status_t farrell_tightly_coupled_retract(
+FARRELL_TIGHTLY_COUPLED_NARROW farrell_tightly_coupled_status_t farrell_tightly_coupled_retract(
     const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT
         FARRELL_TIGHTLY_COUPLED_STATE_SIZE],
     const farrell_tightly_coupled_real_t d[FARRELL_TIGHTLY_COUPLED_RESTRICT 17],

@@ -117,9 +117,8 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t calc_force_load_lane(
     /* dt [s] */
     outside |= take_value(dt[0], 1.0e-05, 0.05, &in->dt);
 
-    return (outside != 0U) ? (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_RANGE :
-        ((skewed != 0U) ? (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_QNORM :
-            (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_OK);
+    return (outside * (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_RANGE) +
+        ((skewed & ~outside) * (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_QNORM);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -222,7 +221,7 @@ NAVTK_SPECIFIC_FORCE_INLINE void calc_force_fill_jacobian_dt(
     dense[2] = nonzeros[2 * stride];
 }
 
-navtk_specific_force_status_t navtk_specific_force_calc_force(
+NAVTK_SPECIFIC_FORCE_NARROW navtk_specific_force_status_t navtk_specific_force_calc_force(
     const navtk_specific_force_real_t dcm[NAVTK_SPECIFIC_FORCE_RESTRICT 9],
     const navtk_specific_force_real_t delta_theta[NAVTK_SPECIFIC_FORCE_RESTRICT 3],
     const navtk_specific_force_real_t delta_velocity[NAVTK_SPECIFIC_FORCE_RESTRICT 3],
@@ -258,7 +257,7 @@ navtk_specific_force_status_t navtk_specific_force_calc_force(
     return status;
 }
 
-navtk_specific_force_status_t navtk_specific_force_calc_force_value(
+NAVTK_SPECIFIC_FORCE_NARROW navtk_specific_force_status_t navtk_specific_force_calc_force_value(
     const navtk_specific_force_real_t dcm[NAVTK_SPECIFIC_FORCE_RESTRICT 9],
     const navtk_specific_force_real_t delta_theta[NAVTK_SPECIFIC_FORCE_RESTRICT 3],
     const navtk_specific_force_real_t delta_velocity[NAVTK_SPECIFIC_FORCE_RESTRICT 3],
@@ -284,7 +283,7 @@ navtk_specific_force_status_t navtk_specific_force_calc_force_value(
     return status;
 }
 
-navtk_specific_force_status_t navtk_specific_force_calc_force_jacobian(
+NAVTK_SPECIFIC_FORCE_NARROW navtk_specific_force_status_t navtk_specific_force_calc_force_jacobian(
     const navtk_specific_force_real_t dcm[NAVTK_SPECIFIC_FORCE_RESTRICT 9],
     const navtk_specific_force_real_t delta_theta[NAVTK_SPECIFIC_FORCE_RESTRICT 3],
     const navtk_specific_force_real_t delta_velocity[NAVTK_SPECIFIC_FORCE_RESTRICT 3],
@@ -318,7 +317,7 @@ navtk_specific_force_status_t navtk_specific_force_calc_force_jacobian(
     return status;
 }
 
-navtk_specific_force_status_t navtk_specific_force_calc_force_nz(
+NAVTK_SPECIFIC_FORCE_NARROW navtk_specific_force_status_t navtk_specific_force_calc_force_nz(
     const navtk_specific_force_real_t dcm[NAVTK_SPECIFIC_FORCE_RESTRICT 9],
     const navtk_specific_force_real_t delta_theta[NAVTK_SPECIFIC_FORCE_RESTRICT 3],
     const navtk_specific_force_real_t delta_velocity[NAVTK_SPECIFIC_FORCE_RESTRICT 3],

@@ -62,6 +62,14 @@
 #define NAVTK_SPECIFIC_FORCE_WIDE
 #endif
 
+/* Straight-line arithmetic of one call: wide vector registers lose more by collecting numbers from
+   here and there than they gain. */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
+#define NAVTK_SPECIFIC_FORCE_NARROW __attribute__((target("prefer-vector-width=128")))
+#else
+#define NAVTK_SPECIFIC_FORCE_NARROW
+#endif
+
 /* Flags and status codes inside kernels: an integer as wide as navtk_specific_force_real_t, so that a vector
    register holds as many of one as of the other. */
 typedef uint64_t navtk_specific_force_flag_t;
@@ -120,6 +128,15 @@ NAVTK_SPECIFIC_FORCE_INLINE bool are_four_centred(
 {
     return is_centred(a, bound) && is_centred(b, bound) &&
            is_centred(c, bound) && is_centred(d, bound);
+}
+
+/* 1 when a value is not a number inside [-bound, bound], else 0. */
+NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t is_beyond(
+    navtk_specific_force_real_t value,
+    navtk_specific_force_real_t bound)
+{
+    return is_centred(value, bound) ? (navtk_specific_force_flag_t)0U :
+        (navtk_specific_force_flag_t)1U;
 }
 
 /* Copy a value into its range. Outside it, or for NaN, the lower end stands for it and 1 is
@@ -185,10 +202,8 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t is_skewed_matrix(
     const navtk_specific_force_real_t e12 = ((m20 * m01) - (m00 * m21)) - m12;
     const navtk_specific_force_real_t e22 = ((m00 * m11) - (m10 * m01)) - m22;
 
-    return ((fabs(e00) <= tolerance) && (fabs(e11) <= tolerance) &&
-            (fabs(e01) <= tolerance) && (fabs(e02) <= tolerance) &&
-            (fabs(e12) <= tolerance) && (fabs(e22) <= tolerance)) ?
-                (navtk_specific_force_flag_t)0U : (navtk_specific_force_flag_t)1U;
+    return is_beyond(e00, tolerance) | is_beyond(e11, tolerance) | is_beyond(e01, tolerance) |
+           is_beyond(e02, tolerance) | is_beyond(e12, tolerance) | is_beyond(e22, tolerance);
 }
 
 /* Lay rows of epochs side by side: element k of epoch lane at [k * lanes + lane]. Two by two, so

@@ -140,9 +140,8 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t force_load_lane(
     /* dt [s] */
     outside |= take_value(dt[0], 1.0e-05, 0.05, &in->dt);
 
-    return (outside != 0U) ? (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_RANGE :
-        ((skewed != 0U) ? (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_QNORM :
-            (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_OK);
+    return (outside * (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_RANGE) +
+        ((skewed & ~outside) * (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_QNORM);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -282,7 +281,7 @@ NAVTK_SPECIFIC_FORCE_INLINE void force_fill_jacobian_dt(
     dense[2] = nonzeros[2 * stride];
 }
 
-navtk_specific_force_status_t navtk_specific_force_force(
+NAVTK_SPECIFIC_FORCE_NARROW navtk_specific_force_status_t navtk_specific_force_force(
     const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT
         NAVTK_SPECIFIC_FORCE_STATE_SIZE],
     const navtk_specific_force_real_t delta_theta[NAVTK_SPECIFIC_FORCE_RESTRICT 3],
@@ -318,7 +317,7 @@ navtk_specific_force_status_t navtk_specific_force_force(
     return status;
 }
 
-navtk_specific_force_status_t navtk_specific_force_force_value(
+NAVTK_SPECIFIC_FORCE_NARROW navtk_specific_force_status_t navtk_specific_force_force_value(
     const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT
         NAVTK_SPECIFIC_FORCE_STATE_SIZE],
     const navtk_specific_force_real_t delta_theta[NAVTK_SPECIFIC_FORCE_RESTRICT 3],
@@ -344,7 +343,7 @@ navtk_specific_force_status_t navtk_specific_force_force_value(
     return status;
 }
 
-navtk_specific_force_status_t navtk_specific_force_force_jacobian(
+NAVTK_SPECIFIC_FORCE_NARROW navtk_specific_force_status_t navtk_specific_force_force_jacobian(
     const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT
         NAVTK_SPECIFIC_FORCE_STATE_SIZE],
     const navtk_specific_force_real_t delta_theta[NAVTK_SPECIFIC_FORCE_RESTRICT 3],
@@ -378,7 +377,7 @@ navtk_specific_force_status_t navtk_specific_force_force_jacobian(
     return status;
 }
 
-navtk_specific_force_status_t navtk_specific_force_force_nz(
+NAVTK_SPECIFIC_FORCE_NARROW navtk_specific_force_status_t navtk_specific_force_force_nz(
     const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT
         NAVTK_SPECIFIC_FORCE_STATE_SIZE],
     const navtk_specific_force_real_t delta_theta[NAVTK_SPECIFIC_FORCE_RESTRICT 3],

@@ -98,9 +98,8 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t local_load_lane(
     outside |= take_centred(y[14 * stride], 0.1, &in->gyro_bias_y_2);
     outside |= take_centred(y[15 * stride], 0.1, &in->gyro_bias_z_2);
 
-    return (outside != 0U) ? (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_RANGE :
-        ((skewed != 0U) ? (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_QNORM :
-            (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_OK);
+    return (outside * (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_RANGE) +
+        ((skewed & ~outside) * (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_QNORM);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -167,7 +166,7 @@ NAVTK_SPECIFIC_FORCE_INLINE void local_fill_value(
     dense[14] = nonzeros[14 * stride];
 }
 
-navtk_specific_force_status_t navtk_specific_force_local(
+NAVTK_SPECIFIC_FORCE_NARROW navtk_specific_force_status_t navtk_specific_force_local(
     const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT
         NAVTK_SPECIFIC_FORCE_STATE_SIZE],
     const navtk_specific_force_real_t y[NAVTK_SPECIFIC_FORCE_RESTRICT 16],

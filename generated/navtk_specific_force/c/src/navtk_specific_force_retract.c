@@ -96,9 +96,8 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t retract_load_lane(
     outside |= take_centred(d[13 * stride], 1000000000.0, &in->gyro_bias_y_2);
     outside |= take_centred(d[14 * stride], 1000000000.0, &in->gyro_bias_z_2);
 
-    return (outside != 0U) ? (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_RANGE :
-        ((skewed != 0U) ? (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_QNORM :
-            (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_OK);
+    return (outside * (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_RANGE) +
+        ((skewed & ~outside) * (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_QNORM);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -165,7 +164,7 @@ NAVTK_SPECIFIC_FORCE_INLINE void retract_fill_value(
     dense[15] = nonzeros[15 * stride];
 }
 
-navtk_specific_force_status_t navtk_specific_force_retract(
+NAVTK_SPECIFIC_FORCE_NARROW navtk_specific_force_status_t navtk_specific_force_retract(
     const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT
         NAVTK_SPECIFIC_FORCE_STATE_SIZE],
     const navtk_specific_force_real_t d[NAVTK_SPECIFIC_FORCE_RESTRICT 15],

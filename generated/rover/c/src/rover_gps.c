@@ -67,8 +67,8 @@ ROVER_INLINE rover_flag_t gps_load_lane(const rover_real_t x[], int32_t stride, 
     outside |= take_centred(x[17 * stride], 10.0, &in->antenna_y);
     outside |= take_centred(x[18 * stride], 10.0, &in->antenna_z);
 
-    return (outside != 0U) ? (rover_flag_t)ROVER_RANGE :
-        ((skewed != 0U) ? (rover_flag_t)ROVER_QNORM : (rover_flag_t)ROVER_OK);
+    return (outside * (rover_flag_t)ROVER_RANGE) +
+        ((skewed & ~outside) * (rover_flag_t)ROVER_QNORM);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -168,7 +168,7 @@ ROVER_INLINE void gps_fill_jacobian(
     dense[62] = 0.0;
 }
 
-rover_status_t rover_gps(
+ROVER_NARROW rover_status_t rover_gps(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
     rover_real_t value[ROVER_RESTRICT 3],
     rover_real_t jacobian[ROVER_RESTRICT 63])
@@ -191,7 +191,7 @@ rover_status_t rover_gps(
     return status;
 }
 
-rover_status_t rover_gps_value(
+ROVER_NARROW rover_status_t rover_gps_value(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
     rover_real_t value[ROVER_RESTRICT 3])
 {
@@ -212,7 +212,7 @@ rover_status_t rover_gps_value(
     return status;
 }
 
-rover_status_t rover_gps_jacobian(
+ROVER_NARROW rover_status_t rover_gps_jacobian(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
     rover_real_t jacobian[ROVER_RESTRICT 63])
 {
@@ -233,7 +233,7 @@ rover_status_t rover_gps_jacobian(
     return status;
 }
 
-rover_status_t rover_gps_nz(
+ROVER_NARROW rover_status_t rover_gps_nz(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
     rover_real_t value[ROVER_RESTRICT 3],
     rover_real_t jacobian_nz[ROVER_RESTRICT 21])

@@ -98,8 +98,8 @@ ROVER_INLINE rover_flag_t imu_load_lane(
     /* dt [s] */
     outside |= take_value(dt[0], 1.0e-05, 0.05, &in->dt);
 
-    return (outside != 0U) ? (rover_flag_t)ROVER_RANGE :
-        ((skewed != 0U) ? (rover_flag_t)ROVER_QNORM : (rover_flag_t)ROVER_OK);
+    return (outside * (rover_flag_t)ROVER_RANGE) +
+        ((skewed & ~outside) * (rover_flag_t)ROVER_QNORM);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -200,7 +200,7 @@ ROVER_INLINE void imu_fill_jacobian(
     dense[62] = 0.0;
 }
 
-rover_status_t rover_imu(
+ROVER_NARROW rover_status_t rover_imu(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
     const rover_real_t delta_theta[ROVER_RESTRICT 6],
     const rover_real_t delta_velocity[ROVER_RESTRICT 6],
@@ -227,7 +227,7 @@ rover_status_t rover_imu(
     return status;
 }
 
-rover_status_t rover_imu_value(
+ROVER_NARROW rover_status_t rover_imu_value(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
     const rover_real_t delta_theta[ROVER_RESTRICT 6],
     const rover_real_t delta_velocity[ROVER_RESTRICT 6],
@@ -252,7 +252,7 @@ rover_status_t rover_imu_value(
     return status;
 }
 
-rover_status_t rover_imu_jacobian(
+ROVER_NARROW rover_status_t rover_imu_jacobian(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
     const rover_real_t delta_theta[ROVER_RESTRICT 6],
     const rover_real_t delta_velocity[ROVER_RESTRICT 6],
@@ -277,7 +277,7 @@ rover_status_t rover_imu_jacobian(
     return status;
 }
 
-rover_status_t rover_imu_nz(
+ROVER_NARROW rover_status_t rover_imu_nz(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
     const rover_real_t delta_theta[ROVER_RESTRICT 6],
     const rover_real_t delta_velocity[ROVER_RESTRICT 6],

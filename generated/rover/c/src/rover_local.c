@@ -132,8 +132,8 @@ ROVER_INLINE rover_flag_t local_load_lane(
     /* drift [m/s] */
     outside |= take_centred(y[21 * stride], 1000000000.0, &in->drift_2);
 
-    return (outside != 0U) ? (rover_flag_t)ROVER_RANGE :
-        ((skewed != 0U) ? (rover_flag_t)ROVER_QNORM : (rover_flag_t)ROVER_OK);
+    return (outside * (rover_flag_t)ROVER_RANGE) +
+        ((skewed & ~outside) * (rover_flag_t)ROVER_QNORM);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -218,7 +218,7 @@ ROVER_INLINE void local_fill_value(
     dense[20] = nonzeros[20 * stride];
 }
 
-rover_status_t rover_local(
+ROVER_NARROW rover_status_t rover_local(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
     const rover_real_t y[ROVER_RESTRICT 22],
     rover_real_t value[ROVER_RESTRICT 21])

@@ -130,8 +130,8 @@ ROVER_INLINE rover_flag_t retract_load_lane(
     /* drift [m/s] */
     outside |= take_centred(d[20 * stride], 1000000000.0, &in->drift_2);
 
-    return (outside != 0U) ? (rover_flag_t)ROVER_RANGE :
-        ((skewed != 0U) ? (rover_flag_t)ROVER_QNORM : (rover_flag_t)ROVER_OK);
+    return (outside * (rover_flag_t)ROVER_RANGE) +
+        ((skewed & ~outside) * (rover_flag_t)ROVER_QNORM);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -216,7 +216,7 @@ ROVER_INLINE void retract_fill_value(
     dense[21] = nonzeros[21 * stride];
 }
 
-rover_status_t rover_retract(
+ROVER_NARROW rover_status_t rover_retract(
     const rover_real_t x[ROVER_RESTRICT ROVER_STATE_SIZE],
     const rover_real_t d[ROVER_RESTRICT 21],
     rover_real_t value[ROVER_RESTRICT 22])

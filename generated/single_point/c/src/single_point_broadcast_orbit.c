@@ -141,8 +141,7 @@ SINGLE_POINT_INLINE single_point_flag_t broadcast_orbit_load_lane(
     /* group_delay [s] */
     outside |= take_centred(group_delay[0], 1.0e-05, &in->group_delay);
 
-    return (outside != 0U) ? (single_point_flag_t)SINGLE_POINT_RANGE :
-        (single_point_flag_t)SINGLE_POINT_OK;
+    return outside * (single_point_flag_t)SINGLE_POINT_RANGE;
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -233,7 +232,7 @@ SINGLE_POINT_INLINE void broadcast_orbit_fill_clock_rate(
     dense[0] = nonzeros[0];
 }
 
-single_point_status_t single_point_broadcast_orbit(
+SINGLE_POINT_NARROW single_point_status_t single_point_broadcast_orbit(
     const single_point_real_t time_2[SINGLE_POINT_RESTRICT 1],
     const single_point_real_t toe[SINGLE_POINT_RESTRICT 1],
     const single_point_real_t toc[SINGLE_POINT_RESTRICT 1],

@@ -46,8 +46,7 @@ SINGLE_POINT_INLINE single_point_flag_t local_load_lane(
     /* clock_bias [m] */
     outside |= take_centred(y[3 * stride], 100000000.0, &in->clock_bias_2);
 
-    return (outside != 0U) ? (single_point_flag_t)SINGLE_POINT_RANGE :
-        (single_point_flag_t)SINGLE_POINT_OK;
+    return outside * (single_point_flag_t)SINGLE_POINT_RANGE;
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -79,7 +78,7 @@ SINGLE_POINT_INLINE void local_fill_value(
     dense[3] = nonzeros[3 * stride];
 }
 
-single_point_status_t single_point_local(
+SINGLE_POINT_NARROW single_point_status_t single_point_local(
     const single_point_real_t x[SINGLE_POINT_RESTRICT SINGLE_POINT_STATE_SIZE],
     const single_point_real_t y[SINGLE_POINT_RESTRICT 4],
     single_point_real_t value[SINGLE_POINT_RESTRICT 4])

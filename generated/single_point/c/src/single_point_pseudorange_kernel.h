@@ -87,8 +87,7 @@ SINGLE_POINT_INLINE single_point_flag_t pseudorange_load_item(
     /* ionosphere [m] */
     outside |= take_centred(ionosphere[0], 1000.0, &item->ionosphere);
 
-    return (outside != 0U) ? (single_point_flag_t)SINGLE_POINT_RANGE :
-        (single_point_flag_t)SINGLE_POINT_OK;
+    return outside * (single_point_flag_t)SINGLE_POINT_RANGE;
 }
 
 /* Pseudoranges from the antenna to satellites: one item. */

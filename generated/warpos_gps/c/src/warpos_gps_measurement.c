@@ -44,7 +44,7 @@ WARPOS_GPS_INLINE warpos_gps_flag_t measurement_load_lane(
     outside |= take_centred(x[5 * stride], 1000000000.0, &in->position_y);
     outside |= take_centred(x[6 * stride], 1000000000.0, &in->position_z);
 
-    return (outside != 0U) ? (warpos_gps_flag_t)WARPOS_GPS_RANGE : (warpos_gps_flag_t)WARPOS_GPS_OK;
+    return outside * (warpos_gps_flag_t)WARPOS_GPS_RANGE;
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -93,7 +93,7 @@ WARPOS_GPS_INLINE void measurement_fill_jacobian(
     }
 }
 
-warpos_gps_status_t warpos_gps_measurement(
+WARPOS_GPS_NARROW warpos_gps_status_t warpos_gps_measurement(
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT WARPOS_GPS_STATE_SIZE],
     warpos_gps_real_t value[WARPOS_GPS_RESTRICT 3],
     warpos_gps_real_t jacobian[WARPOS_GPS_RESTRICT 45])
@@ -116,7 +116,7 @@ warpos_gps_status_t warpos_gps_measurement(
     return status;
 }
 
-warpos_gps_status_t warpos_gps_measurement_value(
+WARPOS_GPS_NARROW warpos_gps_status_t warpos_gps_measurement_value(
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT WARPOS_GPS_STATE_SIZE],
     warpos_gps_real_t value[WARPOS_GPS_RESTRICT 3])
 {
@@ -137,7 +137,7 @@ warpos_gps_status_t warpos_gps_measurement_value(
     return status;
 }
 
-warpos_gps_status_t warpos_gps_measurement_jacobian(
+WARPOS_GPS_NARROW warpos_gps_status_t warpos_gps_measurement_jacobian(
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT WARPOS_GPS_STATE_SIZE],
     warpos_gps_real_t jacobian[WARPOS_GPS_RESTRICT 45])
 {
@@ -158,7 +158,7 @@ warpos_gps_status_t warpos_gps_measurement_jacobian(
     return status;
 }
 
-warpos_gps_status_t warpos_gps_measurement_nz(
+WARPOS_GPS_NARROW warpos_gps_status_t warpos_gps_measurement_nz(
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT WARPOS_GPS_STATE_SIZE],
     warpos_gps_real_t value[WARPOS_GPS_RESTRICT 3],
     warpos_gps_real_t jacobian_nz[WARPOS_GPS_RESTRICT 3])

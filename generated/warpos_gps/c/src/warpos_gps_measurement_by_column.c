@@ -44,7 +44,7 @@ WARPOS_GPS_INLINE warpos_gps_flag_t measurement_by_column_load_lane(
     outside |= take_centred(x[5 * stride], 1000000000.0, &in->position_y);
     outside |= take_centred(x[6 * stride], 1000000000.0, &in->position_z);
 
-    return (outside != 0U) ? (warpos_gps_flag_t)WARPOS_GPS_RANGE : (warpos_gps_flag_t)WARPOS_GPS_OK;
+    return outside * (warpos_gps_flag_t)WARPOS_GPS_RANGE;
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -116,7 +116,7 @@ WARPOS_GPS_INLINE void measurement_by_column_fill_jacobian_by_row(
     }
 }
 
-warpos_gps_status_t warpos_gps_measurement_by_column(
+WARPOS_GPS_NARROW warpos_gps_status_t warpos_gps_measurement_by_column(
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT WARPOS_GPS_STATE_SIZE],
     warpos_gps_real_t value[WARPOS_GPS_RESTRICT 3],
     warpos_gps_real_t jacobian[WARPOS_GPS_RESTRICT 45])
@@ -139,7 +139,7 @@ warpos_gps_status_t warpos_gps_measurement_by_column(
     return status;
 }
 
-warpos_gps_status_t warpos_gps_measurement_by_column_value(
+WARPOS_GPS_NARROW warpos_gps_status_t warpos_gps_measurement_by_column_value(
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT WARPOS_GPS_STATE_SIZE],
     warpos_gps_real_t value[WARPOS_GPS_RESTRICT 3])
 {
@@ -160,7 +160,7 @@ warpos_gps_status_t warpos_gps_measurement_by_column_value(
     return status;
 }
 
-warpos_gps_status_t warpos_gps_measurement_by_column_jacobian(
+WARPOS_GPS_NARROW warpos_gps_status_t warpos_gps_measurement_by_column_jacobian(
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT WARPOS_GPS_STATE_SIZE],
     warpos_gps_real_t jacobian[WARPOS_GPS_RESTRICT 45])
 {
@@ -181,7 +181,7 @@ warpos_gps_status_t warpos_gps_measurement_by_column_jacobian(
     return status;
 }
 
-warpos_gps_status_t warpos_gps_measurement_by_column_nz(
+WARPOS_GPS_NARROW warpos_gps_status_t warpos_gps_measurement_by_column_nz(
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT WARPOS_GPS_STATE_SIZE],
     warpos_gps_real_t value[WARPOS_GPS_RESTRICT 3],
     warpos_gps_real_t jacobian_nz[WARPOS_GPS_RESTRICT 3])

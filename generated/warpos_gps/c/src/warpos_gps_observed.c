@@ -60,8 +60,8 @@ WARPOS_GPS_INLINE warpos_gps_flag_t observed_load_lane(
     skewed |= is_skewed_quaternion(in->observer_attitude_w, in->observer_attitude_x,
         in->observer_attitude_y, in->observer_attitude_z, 1.0e-05);
 
-    return (outside != 0U) ? (warpos_gps_flag_t)WARPOS_GPS_RANGE :
-        ((skewed != 0U) ? (warpos_gps_flag_t)WARPOS_GPS_QNORM : (warpos_gps_flag_t)WARPOS_GPS_OK);
+    return (outside * (warpos_gps_flag_t)WARPOS_GPS_RANGE) +
+        ((skewed & ~outside) * (warpos_gps_flag_t)WARPOS_GPS_QNORM);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -121,7 +121,7 @@ WARPOS_GPS_INLINE void observed_fill_jacobian(
     }
 }
 
-warpos_gps_status_t warpos_gps_observed(
+WARPOS_GPS_NARROW warpos_gps_status_t warpos_gps_observed(
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT WARPOS_GPS_STATE_SIZE],
     const warpos_gps_real_t observer_attitude[WARPOS_GPS_RESTRICT 4],
     warpos_gps_real_t value[WARPOS_GPS_RESTRICT 3],
@@ -145,7 +145,7 @@ warpos_gps_status_t warpos_gps_observed(
     return status;
 }
 
-warpos_gps_status_t warpos_gps_observed_value(
+WARPOS_GPS_NARROW warpos_gps_status_t warpos_gps_observed_value(
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT WARPOS_GPS_STATE_SIZE],
     const warpos_gps_real_t observer_attitude[WARPOS_GPS_RESTRICT 4],
     warpos_gps_real_t value[WARPOS_GPS_RESTRICT 3])
@@ -167,7 +167,7 @@ warpos_gps_status_t warpos_gps_observed_value(
     return status;
 }
 
-warpos_gps_status_t warpos_gps_observed_jacobian(
+WARPOS_GPS_NARROW warpos_gps_status_t warpos_gps_observed_jacobian(
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT WARPOS_GPS_STATE_SIZE],
     const warpos_gps_real_t observer_attitude[WARPOS_GPS_RESTRICT 4],
     warpos_gps_real_t jacobian[WARPOS_GPS_RESTRICT 45])
@@ -189,7 +189,7 @@ warpos_gps_status_t warpos_gps_observed_jacobian(
     return status;
 }
 
-warpos_gps_status_t warpos_gps_observed_nz(
+WARPOS_GPS_NARROW warpos_gps_status_t warpos_gps_observed_nz(
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT WARPOS_GPS_STATE_SIZE],
     const warpos_gps_real_t observer_attitude[WARPOS_GPS_RESTRICT 4],
     warpos_gps_real_t value[WARPOS_GPS_RESTRICT 3],

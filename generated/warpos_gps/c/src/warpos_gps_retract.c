@@ -83,7 +83,7 @@ WARPOS_GPS_INLINE warpos_gps_flag_t retract_load_lane(
     outside |= take_centred(d[13 * stride], 1000000000.0, &in->trailing_6_2);
     outside |= take_centred(d[14 * stride], 1000000000.0, &in->trailing_7_2);
 
-    return (outside != 0U) ? (warpos_gps_flag_t)WARPOS_GPS_RANGE : (warpos_gps_flag_t)WARPOS_GPS_OK;
+    return outside * (warpos_gps_flag_t)WARPOS_GPS_RANGE;
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -148,7 +148,7 @@ WARPOS_GPS_INLINE void retract_fill_value(
     dense[14] = nonzeros[14 * stride];
 }
 
-warpos_gps_status_t warpos_gps_retract(
+WARPOS_GPS_NARROW warpos_gps_status_t warpos_gps_retract(
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT WARPOS_GPS_STATE_SIZE],
     const warpos_gps_real_t d[WARPOS_GPS_RESTRICT 15],
     warpos_gps_real_t value[WARPOS_GPS_RESTRICT 15])

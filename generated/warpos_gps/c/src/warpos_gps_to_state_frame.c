@@ -93,8 +93,8 @@ WARPOS_GPS_INLINE warpos_gps_flag_t to_state_frame_load_lane(
     outside |= take_centred(covariance_2[7 * stride], 1000000000000.0, &in->covariance_2_7);
     outside |= take_centred(covariance_2[8 * stride], 1000000000000.0, &in->covariance_2_8);
 
-    return (outside != 0U) ? (warpos_gps_flag_t)WARPOS_GPS_RANGE :
-        ((skewed != 0U) ? (warpos_gps_flag_t)WARPOS_GPS_QNORM : (warpos_gps_flag_t)WARPOS_GPS_OK);
+    return (outside * (warpos_gps_flag_t)WARPOS_GPS_RANGE) +
+        ((skewed & ~outside) * (warpos_gps_flag_t)WARPOS_GPS_QNORM);
 }
 
 /* Copy the inputs of one call that has passed its checks. */
@@ -164,7 +164,7 @@ WARPOS_GPS_INLINE void to_state_frame_fill_value_covariance(
     dense[8] = nonzeros[8 * stride];
 }
 
-warpos_gps_status_t warpos_gps_to_state_frame(
+WARPOS_GPS_NARROW warpos_gps_status_t warpos_gps_to_state_frame(
     const warpos_gps_real_t observer_attitude[WARPOS_GPS_RESTRICT 4],
     const warpos_gps_real_t receiver_position[WARPOS_GPS_RESTRICT 3],
     const warpos_gps_real_t origin_offset[WARPOS_GPS_RESTRICT 3],
