@@ -156,8 +156,8 @@ MISTAKES = {
     ),
     "wrong status": (
         "rover_range_kernel.h",
-        r"\(outside != 0U\) \? \(rover_flag_t\)ROVER_RANGE",
-        "(outside != 0U) ? (rover_flag_t)ROVER_DOMAIN",
+        r"\(rover_flag_t\)ROVER_RANGE \* outside",
+        "(rover_flag_t)ROVER_DOMAIN * outside",
     ),
     "pointer": ("rover_f32_imu.c", r"\(dt != NULL\) &&\s+", ""),
     "count": ("rover_range.c", r"n <= ROVER_RANGE_MAX_ITEMS", "n <= (ROVER_RANGE_MAX_ITEMS + 1)"),

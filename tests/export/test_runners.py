@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -93,6 +94,14 @@ def test_a_null_dereference_fails_the_analyser(small: Path) -> None:
     record = run(Analyser(), small)
     assert record.verdict is Verdict.FAILED
     assert any("NULL" in finding for finding in record.findings)
+
+
+def test_the_stack_of_every_entry_point_is_counted(small: Path) -> None:
+    """Those that are compiled more than once, or for narrow vectors, as well."""
+    header = "include/reference_relative/reference_relative.h"
+    text = (small / header).read_text(encoding="utf-8")
+    declared = re.findall(r"^reference_relative_status_t (\w+)\(", text, re.MULTILINE)
+    assert declared and set(run(Stack(), small).details["bytes"]) == set(declared)
 
 
 def test_recursion_and_deep_stacks_fail(small: Path) -> None:

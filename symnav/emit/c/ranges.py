@@ -78,8 +78,8 @@ def verdict(target: Target, *, flagged: bool, judged: bool, skewed: bool) -> str
     if flagged and not judged:
         # By arithmetic: to select by what was selected becomes a branch around the loads that come
         # last, and compilers then do not run neighbours side by side.
-        text = f"outside * {outside}"
-        return f"({text}) + ((skewed & ~outside) * {norm})" if skewed else text
+        text = f"{outside} * outside"
+        return f"({text}) + ({norm} * (skewed & ~outside))" if skewed else text
     text = f"(skewed != 0U) ? {norm} : {ok}" if skewed else ok
     if not judged:
         return text

@@ -45,7 +45,7 @@ ANALYSES = controls.Control(
 _DIAGNOSTIC = re.compile(r"^.*(?:warning|error): .*$", re.MULTILINE)
 _NODE = re.compile(r'node: \{ title: "([^"]+)" label: "[^"]*?\\n(\d+) bytes \(([\w,]+)')
 _EDGE = re.compile(r'edge: \{ sourcename: "([^"]+)" targetname: "([^"]+)"')
-_ENTRY = re.compile(r"^\w+_status_t (\w+)\(", re.MULTILINE)
+_ENTRY = re.compile(r"^(?:\w+_(?:WIDE|NARROW) )?\w+_status_t (\w+)\(", re.MULTILINE)
 
 
 def _command(folder: Path, source: str, extra: Sequence[str], out: str) -> list[str]:

@@ -93,8 +93,8 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t gps_load_lane(
     outside |= take_centred(measured[stride], 1000000000.0, &in->measured_y);
     outside |= take_centred(measured[2 * stride], 1000000000.0, &in->measured_z);
 
-    return (outside * (ekf_cal_gps_flag_t)EKF_CAL_GPS_RANGE) +
-        ((skewed & ~outside) * (ekf_cal_gps_flag_t)EKF_CAL_GPS_QNORM);
+    return ((ekf_cal_gps_flag_t)EKF_CAL_GPS_RANGE * outside) +
+        ((ekf_cal_gps_flag_t)EKF_CAL_GPS_QNORM * (skewed & ~outside));
 }
 
 /* Copy the inputs of one call that has passed its checks. */

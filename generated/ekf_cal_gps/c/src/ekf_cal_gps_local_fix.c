@@ -89,7 +89,7 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t local_fix_load_lane(
     outside |= take_centred(covariance_2[7 * stride], 1000000000000.0, &in->covariance_2_7);
     outside |= take_centred(covariance_2[8 * stride], 1000000000000.0, &in->covariance_2_8);
 
-    return outside * (ekf_cal_gps_flag_t)EKF_CAL_GPS_RANGE;
+    return (ekf_cal_gps_flag_t)EKF_CAL_GPS_RANGE * outside;
 }
 
 /* Copy the inputs of one call that has passed its checks. */

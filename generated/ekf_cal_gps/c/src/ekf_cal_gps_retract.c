@@ -122,8 +122,8 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t retract_load_lane(
     outside |= take_centred(d[19 * stride], 1000000000.0, &in->antenna_y_2);
     outside |= take_centred(d[20 * stride], 1000000000.0, &in->antenna_z_2);
 
-    return (outside * (ekf_cal_gps_flag_t)EKF_CAL_GPS_RANGE) +
-        ((skewed & ~outside) * (ekf_cal_gps_flag_t)EKF_CAL_GPS_QNORM);
+    return ((ekf_cal_gps_flag_t)EKF_CAL_GPS_RANGE * outside) +
+        ((ekf_cal_gps_flag_t)EKF_CAL_GPS_QNORM * (skewed & ~outside));
 }
 
 /* Copy the inputs of one call that has passed its checks. */

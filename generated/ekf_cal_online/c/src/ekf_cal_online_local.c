@@ -144,8 +144,8 @@ EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t local_load_lane(
     outside |= take_centred(y[24 * stride], 50.0, &in->antenna_2_y_2);
     outside |= take_centred(y[25 * stride], 50.0, &in->antenna_2_z_2);
 
-    return (outside * (ekf_cal_online_flag_t)EKF_CAL_ONLINE_RANGE) +
-        ((skewed & ~outside) * (ekf_cal_online_flag_t)EKF_CAL_ONLINE_QNORM);
+    return ((ekf_cal_online_flag_t)EKF_CAL_ONLINE_RANGE * outside) +
+        ((ekf_cal_online_flag_t)EKF_CAL_ONLINE_QNORM * (skewed & ~outside));
 }
 
 /* Copy the inputs of one call that has passed its checks. */

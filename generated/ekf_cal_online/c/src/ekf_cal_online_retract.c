@@ -142,8 +142,8 @@ EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t retract_load_lane(
     outside |= take_centred(d[23 * stride], 1000000000.0, &in->antenna_2_y_2);
     outside |= take_centred(d[24 * stride], 1000000000.0, &in->antenna_2_z_2);
 
-    return (outside * (ekf_cal_online_flag_t)EKF_CAL_ONLINE_RANGE) +
-        ((skewed & ~outside) * (ekf_cal_online_flag_t)EKF_CAL_ONLINE_QNORM);
+    return ((ekf_cal_online_flag_t)EKF_CAL_ONLINE_RANGE * outside) +
+        ((ekf_cal_online_flag_t)EKF_CAL_ONLINE_QNORM * (skewed & ~outside));
 }
 
 /* Copy the inputs of one call that has passed its checks. */

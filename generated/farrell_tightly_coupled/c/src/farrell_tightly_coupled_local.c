@@ -110,8 +110,8 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t local_load_lane(
     outside |= take_centred(y[16 * stride], 1000000000.0, &in->x_g_y_2);
     outside |= take_centred(y[17 * stride], 1000000000.0, &in->x_g_z_2);
 
-    return (outside * (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_RANGE) +
-        ((skewed & ~outside) * (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_QNORM);
+    return ((farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_RANGE * outside) +
+        ((farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_QNORM * (skewed & ~outside));
 }
 
 /* Copy the inputs of one call that has passed its checks. */

@@ -142,7 +142,7 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t pseudorange_load_i
     /* measured [m] */
     outside |= take_centred(measured[0], 1000000000.0, &item->measured);
 
-    return outside * (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_RANGE;
+    return (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_RANGE * outside;
 }
 
 /* Pseudoranges from the antenna to satellites: one item. */

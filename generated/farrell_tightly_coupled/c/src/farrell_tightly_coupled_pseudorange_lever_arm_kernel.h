@@ -197,7 +197,7 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t pseudorange_lever_
     outside |= take_centred(satellite_position[1], 100000000.0, &item->satellite_position_y);
     outside |= take_centred(satellite_position[2], 100000000.0, &item->satellite_position_z);
 
-    return outside * (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_RANGE;
+    return (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_RANGE * outside;
 }
 
 /* Pseudoranges from the antenna to satellites: one item. */

@@ -98,8 +98,8 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t local_load_lane(
     outside |= take_centred(y[14 * stride], 0.1, &in->gyro_bias_y_2);
     outside |= take_centred(y[15 * stride], 0.1, &in->gyro_bias_z_2);
 
-    return (outside * (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_RANGE) +
-        ((skewed & ~outside) * (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_QNORM);
+    return ((navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_RANGE * outside) +
+        ((navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_QNORM * (skewed & ~outside));
 }
 
 /* Copy the inputs of one call that has passed its checks. */

@@ -96,8 +96,8 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t retract_load_lane(
     outside |= take_centred(d[13 * stride], 1000000000.0, &in->gyro_bias_y_2);
     outside |= take_centred(d[14 * stride], 1000000000.0, &in->gyro_bias_z_2);
 
-    return (outside * (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_RANGE) +
-        ((skewed & ~outside) * (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_QNORM);
+    return ((navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_RANGE * outside) +
+        ((navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_QNORM * (skewed & ~outside));
 }
 
 /* Copy the inputs of one call that has passed its checks. */

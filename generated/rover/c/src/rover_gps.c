@@ -67,8 +67,8 @@ ROVER_INLINE rover_flag_t gps_load_lane(const rover_real_t x[], int32_t stride, 
     outside |= take_centred(x[17 * stride], 10.0, &in->antenna_y);
     outside |= take_centred(x[18 * stride], 10.0, &in->antenna_z);
 
-    return (outside * (rover_flag_t)ROVER_RANGE) +
-        ((skewed & ~outside) * (rover_flag_t)ROVER_QNORM);
+    return ((rover_flag_t)ROVER_RANGE * outside) +
+        ((rover_flag_t)ROVER_QNORM * (skewed & ~outside));
 }
 
 /* Copy the inputs of one call that has passed its checks. */

@@ -98,8 +98,8 @@ ROVER_INLINE rover_flag_t imu_load_lane(
     /* dt [s] */
     outside |= take_value(dt[0], 1.0e-05, 0.05, &in->dt);
 
-    return (outside * (rover_flag_t)ROVER_RANGE) +
-        ((skewed & ~outside) * (rover_flag_t)ROVER_QNORM);
+    return ((rover_flag_t)ROVER_RANGE * outside) +
+        ((rover_flag_t)ROVER_QNORM * (skewed & ~outside));
 }
 
 /* Copy the inputs of one call that has passed its checks. */

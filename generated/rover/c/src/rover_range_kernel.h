@@ -263,7 +263,7 @@ ROVER_INLINE rover_flag_t range_load_item(
     /* measured [m] */
     outside |= take_centred(measured[0], 1000000000.0, &item->measured);
 
-    return outside * (rover_flag_t)ROVER_RANGE;
+    return (rover_flag_t)ROVER_RANGE * outside;
 }
 
 /* Pseudoranges from the antenna to satellites: one item. */

@@ -130,8 +130,8 @@ ROVER_INLINE rover_flag_t retract_load_lane(
     /* drift [m/s] */
     outside |= take_centred(d[20 * stride], 1000000000.0, &in->drift_2);
 
-    return (outside * (rover_flag_t)ROVER_RANGE) +
-        ((skewed & ~outside) * (rover_flag_t)ROVER_QNORM);
+    return ((rover_flag_t)ROVER_RANGE * outside) +
+        ((rover_flag_t)ROVER_QNORM * (skewed & ~outside));
 }
 
 /* Copy the inputs of one call that has passed its checks. */

@@ -141,7 +141,7 @@ SINGLE_POINT_INLINE single_point_flag_t broadcast_orbit_load_lane(
     /* group_delay [s] */
     outside |= take_centred(group_delay[0], 1.0e-05, &in->group_delay);
 
-    return outside * (single_point_flag_t)SINGLE_POINT_RANGE;
+    return (single_point_flag_t)SINGLE_POINT_RANGE * outside;
 }
 
 /* Copy the inputs of one call that has passed its checks. */

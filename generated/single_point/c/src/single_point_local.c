@@ -46,7 +46,7 @@ SINGLE_POINT_INLINE single_point_flag_t local_load_lane(
     /* clock_bias [m] */
     outside |= take_centred(y[3 * stride], 100000000.0, &in->clock_bias_2);
 
-    return outside * (single_point_flag_t)SINGLE_POINT_RANGE;
+    return (single_point_flag_t)SINGLE_POINT_RANGE * outside;
 }
 
 /* Copy the inputs of one call that has passed its checks. */

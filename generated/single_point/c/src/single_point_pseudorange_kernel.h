@@ -87,7 +87,7 @@ SINGLE_POINT_INLINE single_point_flag_t pseudorange_load_item(
     /* ionosphere [m] */
     outside |= take_centred(ionosphere[0], 1000.0, &item->ionosphere);
 
-    return outside * (single_point_flag_t)SINGLE_POINT_RANGE;
+    return (single_point_flag_t)SINGLE_POINT_RANGE * outside;
 }
 
 /* Pseudoranges from the antenna to satellites: one item. */

@@ -44,7 +44,7 @@ WARPOS_GPS_INLINE warpos_gps_flag_t measurement_load_lane(
     outside |= take_centred(x[5 * stride], 1000000000.0, &in->position_y);
     outside |= take_centred(x[6 * stride], 1000000000.0, &in->position_z);
 
-    return outside * (warpos_gps_flag_t)WARPOS_GPS_RANGE;
+    return (warpos_gps_flag_t)WARPOS_GPS_RANGE * outside;
 }
 
 /* Copy the inputs of one call that has passed its checks. */

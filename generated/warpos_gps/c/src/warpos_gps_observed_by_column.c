@@ -60,8 +60,8 @@ WARPOS_GPS_INLINE warpos_gps_flag_t observed_by_column_load_lane(
     skewed |= is_skewed_quaternion(in->observer_attitude_w, in->observer_attitude_x,
         in->observer_attitude_y, in->observer_attitude_z, 1.0e-05);
 
-    return (outside * (warpos_gps_flag_t)WARPOS_GPS_RANGE) +
-        ((skewed & ~outside) * (warpos_gps_flag_t)WARPOS_GPS_QNORM);
+    return ((warpos_gps_flag_t)WARPOS_GPS_RANGE * outside) +
+        ((warpos_gps_flag_t)WARPOS_GPS_QNORM * (skewed & ~outside));
 }
 
 /* Copy the inputs of one call that has passed its checks. */

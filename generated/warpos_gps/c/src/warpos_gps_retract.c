@@ -83,7 +83,7 @@ WARPOS_GPS_INLINE warpos_gps_flag_t retract_load_lane(
     outside |= take_centred(d[13 * stride], 1000000000.0, &in->trailing_6_2);
     outside |= take_centred(d[14 * stride], 1000000000.0, &in->trailing_7_2);
 
-    return outside * (warpos_gps_flag_t)WARPOS_GPS_RANGE;
+    return (warpos_gps_flag_t)WARPOS_GPS_RANGE * outside;
 }
 
 /* Copy the inputs of one call that has passed its checks. */

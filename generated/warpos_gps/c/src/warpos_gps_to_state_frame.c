@@ -93,8 +93,8 @@ WARPOS_GPS_INLINE warpos_gps_flag_t to_state_frame_load_lane(
     outside |= take_centred(covariance_2[7 * stride], 1000000000000.0, &in->covariance_2_7);
     outside |= take_centred(covariance_2[8 * stride], 1000000000000.0, &in->covariance_2_8);
 
-    return (outside * (warpos_gps_flag_t)WARPOS_GPS_RANGE) +
-        ((skewed & ~outside) * (warpos_gps_flag_t)WARPOS_GPS_QNORM);
+    return ((warpos_gps_flag_t)WARPOS_GPS_RANGE * outside) +
+        ((warpos_gps_flag_t)WARPOS_GPS_QNORM * (skewed & ~outside));
 }
 
 /* Copy the inputs of one call that has passed its checks. */
