@@ -28,8 +28,8 @@ from benchmarks.measuring import expected, records
 from benchmarks.problems import PROBLEMS, Problem
 from symnav.build.objects import said, stack_bytes
 from symnav.emit.templates import directory
-from symnav.export.emulation import ARM, TARGETS, Target
-from symnav.export.targets import FOLDER, TICK
+from symnav.export.building.targets import FOLDER, TICK
+from symnav.export.runners.emulation import ARM, TARGETS, Target
 
 HERE = Path(__file__).parent
 SUPPORT = directory() / "export" / FOLDER

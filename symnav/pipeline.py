@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from symnav.derive import Derivation
     from symnav.emit.manifest import CheckReport
     from symnav.export import Bundle, Tolerance, Tree
-    from symnav.export.proving import Proven
+    from symnav.export.proofs.proving import Proven
     from symnav.spec.records import Spec
     from symnav.verify.sheet import Finding, ProofSheet
 
@@ -300,7 +300,7 @@ def export(
     """
     from symnav.emit import writing
     from symnav.export import assemble
-    from symnav.export.proving import prove
+    from symnav.export.proofs.proving import prove
     from symnav.lower.module import digest
 
     if not force:
@@ -334,7 +334,7 @@ def bundle(
     """
     from symnav import ir
     from symnav.export import Bundle, Options, Tolerance
-    from symnav.export.error_bounds import refuse_beyond, with_bounds
+    from symnav.export.rounding.error_bounds import refuse_beyond, with_bounds
 
     where = None if guards is None else ir.Guards(guards)
     accepted = Tolerance.of(tolerance)

@@ -13,7 +13,7 @@ from symnav.errors import InputError, ProofError
 
 if TYPE_CHECKING:
     from symnav.export import Tolerance
-    from symnav.export.proving import Proven
+    from symnav.export.proofs.proving import Proven
 
 
 def _tolerance(_ctx: click.Context, _option: click.Parameter, words: tuple[str, ...]) -> Tolerance:

@@ -2,6 +2,6 @@
 
 from symnav.export.bundle import assemble
 from symnav.export.records import Bundle, Options, Tree
-from symnav.export.tolerances import Tolerance
+from symnav.export.rounding.tolerances import Tolerance
 
 __all__ = ["Bundle", "Options", "Tolerance", "Tree", "assemble"]

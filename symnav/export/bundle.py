@@ -8,24 +8,25 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from symnav.export import (
-    building,
-    documents,
-    error_bounds,
-    glue,
-    proofs,
-    provenance,
-    targets,
-    testing,
-)  # fmt: skip
+from symnav.export.building import build_files, glue, targets
+from symnav.export.documents import pages, provenance
+from symnav.export.proofs import inputs
 from symnav.export.records import Bundle
+from symnav.export.rounding import error_bounds
+from symnav.export.testing import program
 
 Part = Callable[[Bundle], Mapping[str, str]]
 
-PARTS: tuple[Part, ...] = (
-    building.files, documents.files, glue.files, testing.files, targets.files, error_bounds.files,
-    proofs.files, provenance.files,
-)  # fmt: skip
+PARTS: Mapping[str, Part] = {
+    "build files": build_files.files,
+    "documents": pages.files,
+    "glue": glue.files,
+    "test program": program.files,
+    "targets": targets.files,
+    "error bounds": error_bounds.files,
+    "proofs": inputs.files,
+    "provenance": provenance.files,
+}
 
 
 def _silent(_part: str) -> None:
@@ -42,8 +43,8 @@ def assemble(bundle: Bundle, progress: Callable[[str], None] = _silent) -> dict[
         progress: told each part as it begins.
     """
     text = {path: content for tree in bundle.trees for path, content in tree.files.items()}
-    for part in PARTS:
-        progress(part.__module__.rpartition(".")[2])
+    for name, part in PARTS.items():
+        progress(name)
         made = part(bundle)
         repeated = sorted(text.keys() & made.keys())
         if repeated:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from symnav import ir
 from symnav.derive import Derivation
-from symnav.export.tolerances import Tolerance
+from symnav.export.rounding.tolerances import Tolerance
 from symnav.spec.records import Spec
 
 

@@ -14,7 +14,7 @@ from mpmath import mp
 
 from symnav import ir, trigonometry
 from symnav.emit import c
-from symnav.export import sinusoids
+from symnav.export.arithmetic import sinusoids
 from tests.emit_c import building
 from tests.emit_c.building import Op, X, call
 from tests.emit_c.modules import module

@@ -9,7 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from symnav.export import building, documents
+from symnav.export.building import build_files
+from symnav.export.documents import pages
 from tests.export.bundles import QUICK, bundle_of, cases, files, records_of, run
 
 FENCE = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
@@ -67,9 +68,9 @@ def test_commands_of_the_readme(model: str, scalar: str, bundle: Path) -> None:
 @pytest.mark.parametrize(("model", "scalar"), cases())
 def test_program_of_the_readme(model: str, scalar: str, bundle: Path) -> None:
     (program,) = fences(bundle, "c")
-    assert program == (bundle / documents.EXAMPLE).read_text()
+    assert program == (bundle / pages.EXAMPLE).read_text()
     assert len(program.splitlines()) < 60
-    strict = building.WARNINGS
+    strict = build_files.WARNINGS
     run(["gcc", "-std=c99", *strict, "-Iinclude", "-c", "example/example.c", "-o", "x.o"], bundle)
     program = re.sub(r"(DIGEST != 0x)(.)", lambda m: m[1] + ("0" if m[2] != "0" else "1"), program)
     (bundle / "moved.c").write_text(program)
@@ -128,11 +129,11 @@ def test_headers_and_sources_are_cpp_as_well(model: str, scalar: str, bundle: Pa
     if shutil.which("g++") is None:
         pytest.skip("needs g++")
     objects = []
-    for source in building.sources(records_of(model, scalar)):
+    for source in build_files.sources(records_of(model, scalar)):
         objects.append(Path(source).with_suffix(".o").name)
         flags = ["-std=c++17", "-Wall", "-Wextra", "-Werror", "-Iinclude", "-x", "c++"]
         run(["g++", *flags, "-c", source, "-o", objects[-1]], bundle)
-    headers = [h for t in records_of(model, scalar).trees for h in building.public_headers(t)]
+    headers = [h for t in records_of(model, scalar).trees for h in build_files.public_headers(t)]
     including = "".join(f'#include "{path.removeprefix("include/")}"\n' for path in headers)
     (bundle / "all.cpp").write_text(f"{including}int main() {{ return 0; }}\n")
     run(["g++", "-std=c++17", "-Wall", "-Werror", "-Iinclude", "all.cpp", "-o", "all"], bundle)
@@ -145,7 +146,7 @@ def test_add_subdirectory(
     model: str, scalar: str, language: str, bundle: Path, tmp_path: Path
 ) -> None:
     name, source = records_of(model, scalar).name, "main.c" if language == "C" else "main.cpp"
-    (tmp_path / source).write_text((bundle / documents.EXAMPLE).read_text())
+    (tmp_path / source).write_text((bundle / pages.EXAMPLE).read_text())
     languages = "C" if language == "C" else "C CXX"
     text = CONSUMER.format(
         language=languages, find="add_subdirectory(bundle)", source=source, name=name
@@ -169,9 +170,9 @@ def test_find_package_and_ctest(model: str, scalar: str, bundle: Path, tmp_path:
     told = run(["ctest", "--test-dir", "build"], bundle)
     assert "test_mine" in told and "100% tests passed" in told
     run(["cmake", "--install", "build", "--prefix", tmp_path / "prefix"], bundle)
-    shutil.copy(bundle / documents.EXAMPLE, tmp_path / "main.c")
+    shutil.copy(bundle / pages.EXAMPLE, tmp_path / "main.c")
     shutil.rmtree(bundle)  # what was installed stands on its own
-    find = f"find_package({name} {building.version()} REQUIRED)"
+    find = f"find_package({name} {build_files.version()} REQUIRED)"
     text = CONSUMER.format(language="C", find=find, source="main.c", name=name)
     (tmp_path / "CMakeLists.txt").write_text(text)
     run(["cmake", "-S", ".", "-B", "out", f"-DCMAKE_PREFIX_PATH={tmp_path / 'prefix'}"], tmp_path)
@@ -186,7 +187,9 @@ def by_pkg_config(name: str, folder: Path) -> str:
     (where,) = (folder / "prefix").rglob("pkgconfig")
     search = {"PKG_CONFIG_PATH": str(where)}
     flags = run(["pkg-config", "--cflags", "--libs", name], folder, search).split()
-    assert run(["pkg-config", "--modversion", name], folder, search).strip() == building.version()
+    assert (
+        run(["pkg-config", "--modversion", name], folder, search).strip() == build_files.version()
+    )
     run(["gcc", "-std=c99", "main.c", *flags, "-o", "by_pkg_config"], folder)
     return run(["./by_pkg_config"], folder)
 
@@ -196,7 +199,7 @@ def by_pkg_config(name: str, folder: Path) -> str:
 @pytest.mark.parametrize(("model", "scalar"), cases(ONE, QUICK))
 def test_make_install_and_pkg_config(model: str, scalar: str, bundle: Path, tmp_path: Path) -> None:
     run(["make", "-s", "install", f"PREFIX={tmp_path / 'prefix'}"], bundle)
-    shutil.copy(bundle / documents.EXAMPLE, tmp_path / "main.c")
+    shutil.copy(bundle / pages.EXAMPLE, tmp_path / "main.c")
     shutil.rmtree(bundle)
     assert any(values(by_pkg_config(records_of(model, scalar).name, tmp_path)))
 
@@ -206,12 +209,12 @@ def test_digests_of_the_version_header(model: str, scalar: str, bundle: Path) ->
     """The shell line of the comment, and the macros as the preprocessor sees them."""
     record = records_of(model, scalar)
     for tree in record.trees:
-        macros = run(["gcc", "-dM", "-E", "-Iinclude", building.version_header(tree)], bundle)
+        macros = run(["gcc", "-dM", "-E", "-Iinclude", build_files.version_header(tree)], bundle)
         (specification,) = re.findall(r"_SPECIFICATION_DIGEST (0x\w+)U", macros)
         told = run(["sha256sum", "spec.json"], bundle)
         assert int(specification, 16) == int(told[:8], 16)
         for function in tree.module.functions:
-            kernel = building.kernel_path(tree, function.name)
+            kernel = build_files.kernel_path(tree, function.name)
             told = run(["sh", "-c", f"sed -n '/^#ifndef/,$p' {kernel} | sha256sum"], bundle)
             symbol = f"{tree.prefix}_{function.name}".upper()
             assert f"#define {symbol}_MODEL_DIGEST 0x{told[:8].upper()}U\n" in macros

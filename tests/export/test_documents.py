@@ -16,8 +16,9 @@ import pytest
 from symnav import ir
 from symnav.emit import c
 from symnav.emit.c.store import layout_of
-from symnav.export import building, metrics
-from symnav.export.deviations import DEVIATIONS
+from symnav.export.building import build_files
+from symnav.export.documents import metrics
+from symnav.export.documents.deviations import DEVIATIONS
 from symnav.lower.passes.counts import count_operations
 from tests.export.bundles import MODELS, OUTER, QUICK, bundle_of, cases, records_of, run
 
@@ -242,4 +243,4 @@ def test_readme_names_what_is_there() -> None:
         assert (folder / path).exists() or "*" in path, path
     for tree, function in records_of("rover", "float").functions():
         assert f"`{tree.prefix}_{function.name}`" in text
-    assert building.plain_summary(records_of("rover", "float")) in text
+    assert build_files.plain_summary(records_of("rover", "float")) in text

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from symnav import ir, pipeline
-from symnav.export.evaluation import evaluate
-from symnav.export.golden import dense
+from symnav.export.arithmetic.evaluation import evaluate
+from symnav.export.testing.golden import dense
 from symnav.spec import from_table
 
 

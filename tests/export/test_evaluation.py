@@ -11,9 +11,9 @@ import pytest
 from mpmath import mp
 
 from symnav import ir, pipeline
-from symnav.export.evaluation import bounds, declared, evaluate
-from symnav.export.rounded import library, nearest
-from symnav.export.slack import slack
+from symnav.export.arithmetic.evaluation import bounds, declared, evaluate
+from symnav.export.arithmetic.rounded import library, nearest
+from symnav.export.arithmetic.slack import slack
 
 Operation = ir.Operation
 DOUBLE, FLOAT = ir.Scalar.DOUBLE, ir.Scalar.FLOAT

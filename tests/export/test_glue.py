@@ -14,7 +14,8 @@ from pathlib import Path
 
 import pytest
 
-from symnav.export import building, documents
+from symnav.export.building import build_files
+from symnav.export.documents import pages
 from tests.export.bundles import QUICK, bundle_of, cases, records_of, run
 
 pytestmark = pytest.mark.skipif(shutil.which("cmake") is None, reason="needs cmake")
@@ -110,7 +111,7 @@ FRAMEWORKS = {
 def test_glue_builds(model: str, scalar: str, framework: str, tmp_path: Path) -> None:
     name = records_of(model, scalar).name
     bundle = shutil.copytree(bundle_of(model, scalar), tmp_path / "libs/bundle")
-    shutil.copy(bundle / documents.EXAMPLE, tmp_path / "main.c")
+    shutil.copy(bundle / pages.EXAMPLE, tmp_path / "main.c")
     (tmp_path / "cfe").mkdir()
     (tmp_path / "cfe/cfe.h").write_text(CFE_H)
     (option,) = re.findall(r"^config (\w+)$", (bundle / "zephyr/Kconfig").read_text(), re.MULTILINE)
@@ -123,7 +124,7 @@ def test_glue_builds(model: str, scalar: str, framework: str, tmp_path: Path) ->
     run(["cmake", "--build", "out", "-j2"], tmp_path)
     assert "value[0] = " in run(["out/consumer"], tmp_path)
     compiled = {path.name for path in (tmp_path / "out").rglob("*.o")}
-    expected = {Path(path).name + ".o" for path in building.sources(records_of(model, scalar))}
+    expected = {Path(path).name + ".o" for path in build_files.sources(records_of(model, scalar))}
     assert expected <= compiled
 
 
@@ -133,7 +134,7 @@ def test_cfs_start_up_line_names_a_symbol(model: str, scalar: str, tmp_path: Pat
     kind, module, symbol, *_ = (bundle / "cfs/cfe_es_startup.scr").read_text().split(", ")
     assert (kind, module) == ("CFE_LIB", f"{name}_lib")
     (tmp_path / "cfe.h").write_text(CFE_H)
-    strict = ["-std=c99", *building.WARNINGS, f"-I{tmp_path}"]
+    strict = ["-std=c99", *build_files.WARNINGS, f"-I{tmp_path}"]
     source = bundle / f"cfs/{name}_lib/{name}_lib.c"
     run(["gcc", *strict, "-c", source, "-o", "lib.o"], tmp_path)
     assert f" T {symbol}\n" in run(["nm", "lib.o"], tmp_path)
@@ -143,7 +144,7 @@ def test_cfs_start_up_line_names_a_symbol(model: str, scalar: str, tmp_path: Pat
 def test_manifests_of_frameworks(model: str, scalar: str) -> None:
     bundle, record = bundle_of(model, scalar), records_of(model, scalar)
     platformio = json.loads((bundle / "library.json").read_text())
-    assert platformio["name"] == record.name and platformio["version"] == building.version()
+    assert platformio["name"] == record.name and platformio["version"] == build_files.version()
     for key in ("srcDir", "includeDir"):
         assert (bundle / platformio["build"][key]).is_dir()
     for header in platformio["headers"]:
@@ -152,7 +153,7 @@ def test_manifests_of_frameworks(model: str, scalar: str) -> None:
     for path in (module.split("cmake: ")[1].split()[0] + "/CMakeLists.txt", "zephyr/Kconfig"):
         assert (bundle / path).is_file()
     component = (bundle / f"esp-idf/{record.name}/idf_component.yml").read_text()
-    assert f'version: "{building.version()}"' in component
+    assert f'version: "{build_files.version()}"' in component
 
 
 @pytest.mark.parametrize(("model", "scalar"), cases(QUICK[1:], ()))
@@ -165,10 +166,10 @@ def test_arduino_layout(model: str, scalar: str, tmp_path: Path) -> None:
     properties = dict(
         line.split("=", 1) for line in (library / "library.properties").read_text().splitlines()
     )
-    assert properties["name"] == name and properties["version"] == building.version()
+    assert properties["name"] == name and properties["version"] == build_files.version()
     assert all((library / "src" / one).is_file() for one in properties["includes"].split(","))
     sources = sorted((library / "src").rglob("*.c"))
-    example = bundle / documents.EXAMPLE
+    example = bundle / pages.EXAMPLE
     run(["gcc", "-std=c99", "-I", library / "src", example, *sources, "-lm", "-o", "x"], tmp_path)
     assert "value[0] = " in run(["./x"], tmp_path)
 

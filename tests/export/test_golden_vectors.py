@@ -11,12 +11,12 @@ import pytest
 from symnav import ir, pipeline
 from symnav.emit.c import sections
 from symnav.errors import ProofError
-from symnav.export import testing
-from symnav.export.branches import decided, decisions
-from symnav.export.evaluation import bounds, evaluate
-from symnav.export.golden import ITEMS, Golden, golden
-from symnav.export.tables import Tables, hexadecimal, short
-from symnav.export.turns import turns
+from symnav.export.arithmetic.branches import decided, decisions
+from symnav.export.arithmetic.evaluation import bounds, evaluate
+from symnav.export.testing import program
+from symnav.export.testing.golden import ITEMS, Golden, golden
+from symnav.export.testing.tables import Tables, hexadecimal, short
+from symnav.export.testing.turns import turns
 
 DOUBLE, FLOAT = ir.Scalar.DOUBLE, ir.Scalar.FLOAT
 
@@ -121,6 +121,6 @@ def test_an_unknown_entry_point_is_not_left_untested(
         entry = replace(first.entries[0], symbol=f"{first.kernel.symbol}_sideways")
         return (replace(first, entries=[*first.entries, entry]), *others)
 
-    monkeypatch.setattr(testing, "sections", more)
+    monkeypatch.setattr(program, "sections", more)
     with pytest.raises(AssertionError, match="warpos_gps_retract_sideways"):
         pipeline.export(pipeline.load("warpos_gps"), tmp_path)

@@ -10,7 +10,7 @@ import pytest
 
 from symnav import pipeline
 from symnav.errors import ProofError
-from symnav.export import coverage
+from symnav.export.runners import coverage
 from symnav.spec import from_table
 from tests.export.bundles import OUTER
 from tests.export.conftest import Exported

@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from symnav import pipeline
-from symnav.export import provenance
+from symnav.export.documents import provenance
 from symnav.spec.builder import build, frame, measurement, vector
 from tests.export.bundles import ALL, OUTER, QUICK, bundle_of, cases, files, run
 

@@ -14,8 +14,8 @@ from symnav import pipeline
 from symnav.cli import main
 from symnav.emit import manifest
 from symnav.errors import BuildError, ProofError
-from symnav.export import proving
-from symnav.export.proving import prove
+from symnav.export.proofs import proving
+from symnav.export.proofs.proving import prove
 from symnav.export.runners import Record, Runner, Verdict
 from symnav.export.runners.programs import Reach
 

@@ -10,8 +10,8 @@ import pytest
 from numpy.typing import NDArray
 
 from symnav import ir, pipeline
-from symnav.export.evaluation import evaluate, kind_of
-from symnav.export.golden import dense
+from symnav.export.arithmetic.evaluation import evaluate, kind_of
+from symnav.export.testing.golden import dense
 from symnav.spec import Spec, from_table
 
 COUNT = 4000

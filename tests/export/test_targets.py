@@ -16,9 +16,9 @@ from symnav.build.objects import Binutils, stack_bytes
 from symnav.cli import main
 from symnav.emit.templates import directory
 from symnav.errors import BuildError
-from symnav.export import emulation
-from symnav.export.emulation import TARGETS, Called, Emulated, Unit
-from symnav.export.targets import FOLDER
+from symnav.export.building.targets import FOLDER
+from symnav.export.runners import emulation
+from symnav.export.runners.emulation import TARGETS, Called, Emulated, Unit
 
 MODELS = [name for name, _ in pipeline.shipped()]
 SUPPORT = directory() / "export" / FOLDER

@@ -23,7 +23,7 @@ import pytest
 from symnav import ir
 from symnav.emit import c
 from symnav.emit.c.header import Section
-from symnav.export.example import values_of
+from symnav.export.documents.example import values_of
 from symnav.export.records import Tree
 from tests.export.bundles import OUTER, QUICK, bundle_of, cases, records_of, run
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from symnav import pipeline
-from symnav.export import provenance
+from symnav.export.documents import provenance
 from symnav.spec import Spec, loads
 from tests.export.bundles import files, run
 

@@ -47,7 +47,7 @@ def test_every_part_is_told(tmp_path: Path) -> None:
     told: list[str] = []
     pipeline.export(pipeline.load("reference_relative"), tmp_path, progress=told.append)
     assert told[:2] == ["derive", "lower"] and told[-1] == "write"
-    assert {"building", "documents", "glue", "provenance", "bill of materials"} <= set(told)
+    assert {"build files", "documents", "glue", "provenance", "bill of materials"} <= set(told)
 
 
 @pytest.mark.skipif(shutil.which("gcc") is None, reason="needs gcc")

@@ -15,7 +15,7 @@ from benchmarks.embedded import MODELS, Figures
 from benchmarks.measuring import expected, records
 from benchmarks.page import RESULTS
 from benchmarks.problems import PROBLEMS
-from symnav.export.emulation import TARGETS, missing
+from symnav.export.runners.emulation import TARGETS, missing
 
 SLACK = 1.01
 MENDED = ("casadi_mended", "casadi_sym_mended")

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from symnav import ir
-from symnav.export.walk import evaluate, run
+from symnav.export.arithmetic.walk import evaluate, run
 
 Operation = ir.Operation
 COMPARISONS = frozenset({Operation.LT, Operation.LE, Operation.EQ, Operation.NE})

@@ -14,9 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symnav import ir
-from symnav.export import sinusoids
+from symnav.export.arithmetic import sinusoids
+from symnav.export.arithmetic.walk import evaluate, run
 from symnav.export.rounding.sampling import TYPES, moved, samples
-from symnav.export.walk import evaluate, run
 
 Array = NDArray[Any]
 

@@ -10,8 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from symnav.errors import BuildError, ProofError
-from symnav.export import coverage, emulation
-from symnav.export.runners import tools
+from symnav.export.runners import coverage, emulation, tools
 from symnav.export.runners.records import Record, Verdict, broken
 
 _C99 = ("-std=c99", "-O2", "-ffp-contract=off")

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from symnav import ir
-from symnav.export.evaluation import declared
+from symnav.export.arithmetic.evaluation import declared
 from symnav.export.rounding import polynomials
 from symnav.export.rounding.bounds import bounds, ranges
 from symnav.export.rounding.expressions import trace

@@ -18,8 +18,8 @@ from symnav.emit.c import comments
 from symnav.emit.c.border import SUFFIX as BORDER
 from symnav.emit.c.expressions import SINUSOIDS
 from symnav.emit.templates import render
-from symnav.export.entries import LANES, Array, Entry, Runs, entries
 from symnav.export.records import Bundle, Tree
+from symnav.export.testing.entries import LANES, Array, Entry, Runs, entries
 from symnav.trigonometry import LIMIT
 
 SCRIPT = "proof/run_eva.sh"

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from symnav import ir
 from symnav.emit.c.border import SUFFIX as BORDER
 from symnav.emit.c.literals import declared
-from symnav.export.evaluation import read_domains
-from symnav.export.prototypes import Parameter, Prototype, constants, prototypes, value_of
+from symnav.export.arithmetic.evaluation import read_domains
+from symnav.export.documents.prototypes import Parameter, Prototype, constants, prototypes, value_of
 from symnav.export.records import Tree
 
 LANES = 16

@@ -14,7 +14,7 @@ from symnav.emit.c.header import Section
 from symnav.emit.c.interface import range_text
 from symnav.emit.c.store import is_jacobian, layout_of
 from symnav.emit.templates import render
-from symnav.export import building
+from symnav.export.building import build_files
 from symnav.export.records import Bundle, Tree
 from symnav.figures import readable
 from symnav.lower.passes.counts import count_operations
@@ -30,13 +30,13 @@ def document(bundle: Bundle) -> str:
     return render(
         "export/docs/ICD.md.j2",
         name=bundle.name,
-        summary=building.summary(bundle),
-        library=building.library_name(bundle),
+        summary=build_files.summary(bundle),
+        library=build_files.library_name(bundle),
         generator=module.generator,
-        version=building.version(),
+        version=build_files.version(),
         specification=module.digest,
         layout=module.state.digest,
-        flags=" ".join(building.FLAGS),
+        flags=" ".join(build_files.FLAGS),
         trees=[_tree(tree) for tree in bundle.trees],
         statuses=table(
             ("status", "value", "meaning"),
@@ -135,8 +135,8 @@ def _function(tree: Tree, section: Section) -> dict[str, object]:
         "equation": [line for line in function.equation.splitlines() if line.strip()],
         "source": function.source,
         "conventions": function.conventions,
-        "digest": building.model_digest(tree, function.name),
-        "kernel": building.kernel_path(tree, function.name),
+        "digest": build_files.model_digest(tree, function.name),
+        "kernel": build_files.kernel_path(tree, function.name),
         "limit": f"{section.kernel.symbol.upper()}_MAX_ITEMS",
         "maximum": function.maximum,
         "policy": function.items.value,

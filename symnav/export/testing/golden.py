@@ -20,9 +20,9 @@ from numpy.typing import NDArray
 from symnav import ir
 from symnav.derive import Derivation
 from symnav.errors import ProofError
-from symnav.export import rounded, singular
-from symnav.export.branches import beside_turns, decided, decisions, expressions
-from symnav.export.evaluation import (
+from symnav.export.arithmetic import rounded
+from symnav.export.arithmetic.branches import beside_turns, decided, decisions, expressions
+from symnav.export.arithmetic.evaluation import (
     Outcome,
     Rows,
     declared,
@@ -30,7 +30,8 @@ from symnav.export.evaluation import (
     kind_of,
     positions,
 )
-from symnav.export.slack import slack
+from symnav.export.arithmetic.slack import slack
+from symnav.export.testing import singular
 from symnav.spec.records import Spec
 from symnav.verify.comparison import differences, forget_remainders
 from symnav.verify.exact import DIGITS, Exact

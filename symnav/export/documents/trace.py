@@ -17,7 +17,7 @@ from symnav import ir
 from symnav.emit import c
 from symnav.emit.c.header import Section
 from symnav.emit.c.kernel import OUTPUT_POINTER, SHARED_POINTER, Kernel, entry_label
-from symnav.export.building import border_path, kernel_path
+from symnav.export.building.build_files import border_path, kernel_path
 from symnav.export.records import Bundle, Tree
 
 PATH = "docs/trace.csv"

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from symnav import ir
 from symnav.emit.templates import render
 from symnav.errors import ProofError
-from symnav.export import evaluation
+from symnav.export.arithmetic import evaluation
 from symnav.export.records import Bundle, Tree
 from symnav.verify import sampling
 

@@ -15,8 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symnav import ir
-from symnav.export import walk
-from symnav.export.evaluation import (
+from symnav.export.arithmetic import walk
+from symnav.export.arithmetic.evaluation import (
     Ieee,
     Outcome,
     Rows,

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from symnav import ir
 from symnav.emit.c import comments
 from symnav.emit.templates import render
-from symnav.export.entries import Array, Entry, entries
 from symnav.export.records import Bundle, Tree
+from symnav.export.testing.entries import Array, Entry, entries
 
 SCRIPT = "proof/run_fuzz.sh"
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from symnav.emit.templates import render
-from symnav.export import building, example, glue, icd, metrics, trace
-from symnav.export.deviations import DEVIATIONS
+from symnav.export.building import build_files, glue
+from symnav.export.documents import example, icd, metrics, trace
+from symnav.export.documents.deviations import DEVIATIONS
 from symnav.export.records import Bundle
 
 EXAMPLE = "example/example.c"
@@ -51,8 +52,8 @@ def _readme(bundle: Bundle, program: str) -> str:
         "export/docs/README.md.j2",
         name=bundle.name,
         macro=bundle.name.upper(),
-        summary=building.summary(bundle),
-        library=building.library_name(bundle),
+        summary=build_files.summary(bundle),
+        library=build_files.library_name(bundle),
         generator=module.generator,
         trees=bundle.trees,
         functions=functions,

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symnav import ir
-from symnav.export.evaluation import constant, declared, is_rotation, is_unit, kind_of
+from symnav.export.arithmetic.evaluation import constant, declared, is_rotation, is_unit, kind_of
 
 Array = NDArray[Any]
 

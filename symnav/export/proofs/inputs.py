@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from dataclasses import asdict
 
 from symnav.emit.templates import render
-from symnav.export import eva, fuzzing
-from symnav.export.deviations import DEVIATIONS
+from symnav.export.documents.deviations import DEVIATIONS
+from symnav.export.proofs import eva, fuzzing
 from symnav.export.records import Bundle
 
 

@@ -14,7 +14,7 @@ from symnav.emit.c.store import is_jacobian
 from symnav.export.records import Bundle, Tree
 from symnav.export.rounding import bounded
 from symnav.export.rounding.formats import FORMATS
-from symnav.export.tolerances import Tolerance
+from symnav.export.rounding.tolerances import Tolerance
 
 PATH = "proof/error_bounds.json"
 _DIGITS = 3

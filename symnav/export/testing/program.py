@@ -21,12 +21,12 @@ from symnav.emit.c.literals import integer_bounds
 from symnav.emit.c.pieces import Parameter
 from symnav.emit.c.store import is_jacobian
 from symnav.emit.templates import render
-from symnav.export.evaluation import declared, read_domains
-from symnav.export.golden import Golden, golden
+from symnav.export.arithmetic.evaluation import declared, read_domains
+from symnav.export.arithmetic.slack import UNITS
 from symnav.export.records import Bundle, Tree
-from symnav.export.slack import UNITS
-from symnav.export.tables import Tables, hexadecimal, short
-from symnav.export.turns import turns
+from symnav.export.testing.golden import Golden, golden
+from symnav.export.testing.tables import Tables, hexadecimal, short
+from symnav.export.testing.turns import turns
 
 #: How an entry point stores, by what stands behind the name of its function.
 FORMS: Mapping[str, str] = {

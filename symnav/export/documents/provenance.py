@@ -9,7 +9,7 @@ from collections.abc import Mapping
 
 from symnav import __version__
 from symnav.emit.templates import render
-from symnav.export import building
+from symnav.export.building import build_files
 from symnav.export.records import Bundle
 
 LICENCE = "0BSD"
@@ -52,7 +52,7 @@ def bill(bundle: Bundle, text: Mapping[str, str]) -> Mapping[str, str]:
     package = {
         "SPDXID": _PACKAGE,
         "name": bundle.name,
-        "versionInfo": f"{building.version()}+{module.digest[:16]}",
+        "versionInfo": f"{build_files.version()}+{module.digest[:16]}",
         "downloadLocation": "NOASSERTION",
         "filesAnalyzed": True,
         "packageVerificationCode": {
@@ -63,7 +63,7 @@ def bill(bundle: Bundle, text: Mapping[str, str]) -> Mapping[str, str]:
         "licenseConcluded": LICENCE,
         "licenseDeclared": LICENCE,
         "copyrightText": "NOASSERTION",
-        "summary": building.summary(bundle),
+        "summary": build_files.summary(bundle),
         "primaryPackagePurpose": "SOURCE",
     }
     generator = {

@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symnav import ir
-from symnav.export import walk
-from symnav.export.evaluation import Ieee, Outcome, Rows, evaluate, kind_of, loader
+from symnav.export.arithmetic import walk
+from symnav.export.arithmetic.evaluation import Ieee, Outcome, Rows, evaluate, kind_of, loader
 
 Indices = NDArray[np.intp]
 Codes = NDArray[np.int64]

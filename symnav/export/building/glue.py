@@ -7,7 +7,7 @@ from collections.abc import Mapping
 
 from symnav import ir
 from symnav.emit.templates import render
-from symnav.export import building
+from symnav.export.building import build_files
 from symnav.export.records import Bundle
 
 
@@ -17,17 +17,17 @@ def files(bundle: Bundle) -> Mapping[str, str]:
     Frameworks that take a module's name from its folder get a folder of that name.
     """
     name = bundle.name
-    sources = building.sources(bundle)
+    sources = build_files.sources(bundle)
     context = {
         "name": name,
         "macro": name.upper(),
-        "version": building.version(),
-        "summary": building.plain_summary(bundle),
-        "quoted": json.dumps(building.plain_summary(bundle)),
+        "version": build_files.version(),
+        "summary": build_files.plain_summary(bundle),
+        "quoted": json.dumps(build_files.plain_summary(bundle)),
         "generator": bundle.trees[0].module.generator,
         "zephyr": zephyr_option(bundle),
         "double": any(tree.module.scalar is ir.Scalar.DOUBLE for tree in bundle.trees),
-        "arithmetic": building.ARITHMETIC,
+        "arithmetic": build_files.ARITHMETIC,
         "headers": [f"{tree.prefix}/{tree.prefix}.h" for tree in bundle.trees],
         "up": [f"../../{path}" for path in sources],
         "beside": [f"../{path}" for path in sources],
@@ -63,11 +63,11 @@ def _platformio(bundle: Bundle) -> str:
     """
     content = {
         "name": bundle.name,
-        "version": building.version(),
-        "description": building.summary(bundle),
+        "version": build_files.version(),
+        "description": build_files.summary(bundle),
         "frameworks": "*",
         "platforms": "*",
         "headers": [f"{tree.prefix}/{tree.prefix}.h" for tree in bundle.trees],
-        "build": {"srcDir": "src", "includeDir": "include", "flags": list(building.ARITHMETIC)},
+        "build": {"srcDir": "src", "includeDir": "include", "flags": list(build_files.ARITHMETIC)},
     }
     return json.dumps(content, indent=2, ensure_ascii=False) + "\n"

@@ -17,9 +17,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symnav import ir
-from symnav.export import walk
-from symnav.export.evaluation import Ieee, Outcome, kind_of, loader
-from symnav.export.rounded import LIBRARY
+from symnav.export.arithmetic import walk
+from symnav.export.arithmetic.evaluation import Ieee, Outcome, kind_of, loader
+from symnav.export.arithmetic.rounded import LIBRARY
 
 Real = NDArray[Any]
 Operation = ir.Operation

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from symnav.build.objects import Binutils, said, stack_bytes
 from symnav.errors import BuildError
-from symnav.export.targets import FOLDER, TICK
+from symnav.export.building.targets import FOLDER, TICK
 
 TOOLS = ("make", "gcc", "arm-none-eabi-gcc", "arm-none-eabi-ld", "qemu-system-arm")
 ARM = Binutils("arm-none-eabi-")

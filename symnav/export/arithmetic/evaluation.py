@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from symnav import ir
 from symnav.emit.c import literals
-from symnav.export import rounded, sinusoids, walk
+from symnav.export.arithmetic import rounded, sinusoids, walk
 
 Real = NDArray[Any]
 Condition = NDArray[np.bool_]

@@ -1,0 +1,1 @@
+"""What builds a bundle: on a desk, in a framework, for a board."""

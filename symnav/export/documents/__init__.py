@@ -1,0 +1,1 @@
+"""What people read in a bundle, and what it was made from."""

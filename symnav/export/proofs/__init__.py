@@ -1,0 +1,1 @@
+"""What a bundle is proven with, and the run of it."""
