@@ -200,7 +200,7 @@ def _module_name(
     basis = {
         "sources": {path: digests[path] for path in digests if path.partition("/")[0] in folders},
         "flags": [*flags, *LIGHT_FLAGS],
-        "compiler": compiler.identity,
+        "compiler": [compiler.identity, *compiler.command[1:]],
         "machine": machine_macros(compiler) if NATIVE_FLAG in flags else "",
         "abi": _SUFFIX,
         "cffi": cffi.__version__,

@@ -121,7 +121,7 @@ def test_cache_that_cannot_be_written(
 
 
 def test_name_depends_on_all_that_matters(package: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Sources, headers, flags, compiler: each gives another name, and the old file goes."""
+    """Sources, headers, flags, compiler, its own arguments: another name; the old file goes."""
     seen = {build.build(package).modules["native"].name}
     for path in ("c/src/rover_rows.c", "c/include/rover/rover.h"):
         file = package / path
@@ -133,7 +133,10 @@ def test_name_depends_on_all_that_matters(package: Path, monkeypatch: pytest.Mon
     other = build.Compiler(real.command, "some other compiler 1.0")
     monkeypatch.setattr(build, "find_compiler", lambda: other)
     seen.add(build.build(package).modules["native"].name)
-    assert len(seen) == 5
+    more = build.Compiler((*real.command, "-DSYMNAV_TEST=1"), "some other compiler 1.0")
+    monkeypatch.setattr(build, "find_compiler", lambda: more)
+    seen.add(build.build(package).modules["native"].name)
+    assert len(seen) == 6
     assert len(list(package.glob("_rover_*"))) == 1
 
 
