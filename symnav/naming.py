@@ -129,6 +129,14 @@ FUNCTION_NAMES = _words(
     """
 )
 
+#: What the Python files and stubs of a package themselves call by name, beside functions.
+PYTHON_NAMES = _words(
+    """
+    len int float str slice tuple Any ArrayLike Callable Mapping NamedTuple NDArray Protocol
+    Sequence TypeAlias np
+    """
+)
+
 #: What CasADi's generator adds to the C of every package, beside numbered helpers.
 CASADI_NAMES = _words("sq sign casadi_version casadi_int_size casadi_real_size")
 _CASADI_NUMBERED = re.compile(r"[cfs]\d+", re.IGNORECASE)
@@ -230,6 +238,8 @@ def _word_fault(name: str, use: Use) -> str | None:
 def _function_fault(name: str) -> str | None:
     if f"{name}_".lower().startswith("f32_"):
         return f"{name!r} leads the names of the single-precision C; choose another name"
+    if name in PYTHON_NAMES:
+        return f"{name!r} is a name that the generated Python calls; choose another name"
     if name.lower() in CASADI_NAMES or _CASADI_NUMBERED.fullmatch(name):
         return f"{name!r} is a name of CasADi's helpers in the generated C; choose another name"
     return None
