@@ -18,7 +18,6 @@ from ._runtime import (
     Part,
     Signature,
     Status,
-    as_numbers,
     output_shape,
     outputs_of,
 )
@@ -42,11 +41,6 @@ class BatchFunction(Function):
         self._sparse_rows = Straight(library, signature, Part.NONZEROS) if whole else None
         if not signature.mapped:
             self._blocks = library.entry(f"{signature.name}_blocks")
-
-    def prepare(self, values: Sequence[Any]) -> list[Array]:
-        """Real arrays of the compiled type; complex numbers are refused."""
-        pairs = zip(self.signature.arguments, values, strict=True)
-        return [as_numbers(argument, value, self.real, False) for argument, value in pairs]
 
     def call(self, state: Sequence[Any], inputs: Mapping[str, Any], out: Any = None) -> Any:
         """All outputs; arrays with one leading axis go straight to the loop over epochs."""

@@ -138,9 +138,14 @@ class Guards:
             chosen = self._xp.where(index == number, array[base + number], chosen)
         return chosen
 
-    def load(self, argument: Argument, array: Array) -> None:
-        """Guards the elements of an argument: ranges first, then norms."""
-        for passed, status in self._loaded(argument, array):
+    def load(self, given: Sequence[tuple[Argument, Array]]) -> None:
+        """Guards the elements of arguments: the ranges of all of them first, then norms."""
+        failures = [
+            (argument, passed, status)
+            for argument, array in given
+            for passed, status in self._loaded(argument, array)
+        ]
+        for argument, passed, status in sorted(failures, key=lambda found: found[2]):
             if argument.item:
                 self.item = self._note(self.item, passed, status)
             else:

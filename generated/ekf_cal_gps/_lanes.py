@@ -60,7 +60,7 @@ def to_lanes(rows: Any, lanes: int) -> Array:
 
 
 def from_lanes(blocked: Any, epochs: int | None = None) -> Array:
-    """Blocks of shape (blocks, elements, lanes) as rows, shape (epochs, elements).
+    """Blocks of shape (blocks, elements, lanes) as new rows, shape (epochs, elements).
 
     Args:
         blocked: the blocks.
@@ -70,8 +70,18 @@ def from_lanes(blocked: Any, epochs: int | None = None) -> Array:
     if array.ndim != 3:
         raise ValueError(f"from_lanes: expected (blocks, elements, lanes); got {array.shape}")
     blocks, elements, lanes = array.shape
-    rows = array.transpose(0, 2, 1).reshape(blocks * lanes, elements)
+    rows = np.array(array.transpose(0, 2, 1), order="C").reshape(blocks * lanes, elements)
     return rows[: _count(epochs, blocks * lanes)]
+
+
+def to_lanes_of(lanes: int) -> Callable[[Any], Array]:
+    """The arrangement of one function."""
+
+    def own(rows: Any) -> Array:
+        """Rows of epochs, shape (epochs, elements) or (epochs,), as blocks."""
+        return to_lanes(rows, lanes)
+
+    return own
 
 
 def _count(epochs: int | None, most: int) -> int:
@@ -81,9 +91,8 @@ def _count(epochs: int | None, most: int) -> int:
     return count
 
 
-def forms(function: Function) -> dict[str, Any]:
-    """What a function that is not mapped offers for blocks."""
-    lanes = function.signature.lanes
+def forms(function: Function) -> dict[str, Callable[..., Any]]:
+    """The calls for blocks of a function that is not mapped."""
 
     def blocks(*state: Any, epochs: int | None = None, out: Any = None, **inputs: Any) -> Any:
         """Values and non-zeros of epochs in blocks of ``lanes``; see ``to_lanes``."""
@@ -92,22 +101,14 @@ def forms(function: Function) -> dict[str, Any]:
         return call.result(void=out is None)
 
     def bind_blocks(*state: Any, epochs: int | None = None, out: Any = None, **inputs: Any) -> Any:
-        """A function without arguments over these very blocks."""
+        """A function without arguments over these very blocks; what fails keeps what was there."""
         call = _Call(function, state, inputs, epochs, out, lasting=True)
+        if out is None:
+            call.void()
         run = function.bound_blocks(call.arrays, call.epochs, call.outputs, call.status)
         return call.bound(run)
 
-    def own_to_lanes(rows: Any) -> Array:
-        """Rows of epochs, shape (epochs, elements) or (epochs,), as blocks."""
-        return to_lanes(rows, lanes)
-
-    return {
-        "blocks": blocks,
-        "bind_blocks": bind_blocks,
-        "to_lanes": own_to_lanes,
-        "from_lanes": from_lanes,
-        "lanes": lanes,
-    }
+    return {"blocks": blocks, "bind_blocks": bind_blocks}
 
 
 class _Call:
@@ -149,6 +150,11 @@ class _Call:
                 if failed.any():
                     array.transpose(0, 2, 1)[failed.reshape(-1, lanes)] = np.nan
         return Blocks(self.outputs, self.status)
+
+    def void(self) -> None:
+        """NaN everywhere, for what nothing is written to."""
+        for array in self.outputs.values():
+            array.fill(np.nan)
 
     def bound(self, run: Callable[[], Any]) -> Callable[[], Blocks]:
         """The call over and over."""

@@ -51,18 +51,22 @@ class Straight:
         if self._library.threads == 1:
             done = self._entry(id(memory), 0, epochs)
         else:
-            done = self._shared(id(memory), epochs)
+            done = self._shared(memory, epochs)
         if done == UNFIT:
             return None
         if done and out is None:
             void(made, status)
         return made, statuses
 
-    def _shared(self, address: int, epochs: int) -> int:
+    def _shared(self, memory: tuple[Any, ...], epochs: int) -> int:
         """The same by several threads; what one of them cannot read, none can."""
         shares = self._library.shares(epochs)
-        done = self._library.run([partial(self._entry, address, *share) for share in shares])
+        done = self._library.run([partial(self._share, memory, *share) for share in shares])
         return UNFIT if UNFIT in done else max(done)
+
+    def _share(self, memory: tuple[Any, ...], first: int, count: int) -> int:
+        """One thread's epochs; its own hold on the memory outlasts a caller that is interrupted."""
+        return self._entry(id(memory), first, count)
 
     def _items(self, given: Sequence[Array]) -> int | None:
         """The number of items, where there are any.

@@ -223,10 +223,12 @@ class Source:
             passed &= table.read(self._arrays, epochs, self._real, found)
         if not passed:
             guards.noted = True
+            loaded = []
             for argument in self._signature.arguments:
                 if self._signature.guarded or argument.integer:
                     array = self._arrays[argument.name]
                     array = np.real(array if len(array) == 1 else array[epochs])
                     array = array.astype(np.float64, copy=False)
-                    guards.load(argument, np.moveaxis(array, 1, 0) if argument.item else array)
+                    loaded.append((argument, np.moveaxis(array, 1, 0) if argument.item else array))
+            guards.load(loaded)
         return found

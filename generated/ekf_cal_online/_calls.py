@@ -23,6 +23,7 @@ from ._runtime import (
     Signature,
     Slot,
     Status,
+    as_numbers,
     collect,
     forbid_overlap,
     measure,
@@ -52,9 +53,14 @@ class Function(ABC):
     def __init__(self, signature: Signature) -> None:
         self.signature = signature
 
-    @abstractmethod
     def prepare(self, values: Sequence[Any]) -> list[Array]:
-        """Converts arguments to arrays the back end can read."""
+        """Real arrays of NumPy of the back end's type; complex numbers are refused."""
+        pairs = zip(self.signature.arguments, values, strict=True)
+        return [as_numbers(argument, value, self.real, False) for argument, value in pairs]
+
+    def type_of(self, _arrays: Sequence[Array]) -> np.dtype[Any]:
+        """The type of the outputs of NumPy's arrays."""
+        return self.real
 
     @abstractmethod
     def evaluate(
@@ -159,7 +165,9 @@ class Function(ABC):
     ) -> list[Array] | None:
         if out is None:
             return None
-        written = targets(self.signature, part, extent, out, self.real)
+        if not all(isinstance(array, np.ndarray) for array in arrays):
+            raise TypeError(f"out: {self.signature.name} writes to it only from NumPy's arrays")
+        written = targets(self.signature, part, extent, out, self.type_of(arrays))
         forbid_overlap(self.signature, arrays, written)
         return written
 
@@ -168,11 +176,11 @@ def _require_lasting(argument: Argument, value: Any, array: Array) -> None:
     """Refuses an argument whose later changes a bound call would not see."""
     if isinstance(value, (int, float)) and argument.scalar:
         return
-    if array is not value or not array.flags.c_contiguous:
+    if array is not value or not isinstance(array, np.ndarray) or not array.flags.c_contiguous:
         kind = np.dtype(np.int32) if argument.integer else array.dtype
         raise TypeError(
-            f"bind: {argument.name} must be a contiguous NumPy array of {kind}, so that later "
-            "changes to it are seen"
+            f"bind: {argument.name} must be a contiguous NumPy array of {kind}, aligned in memory, "
+            "so that later changes to it are seen"
         )
 
 
@@ -288,11 +296,15 @@ def publish(function: Function, module: str, joint: Callable[..., Any] | None = 
         rows, columns = _indices(output)
         public.__dict__.update({f"{output.name}_rows": rows, f"{output.name}_columns": columns})
     if signature.single_difference:
-        public.__dict__.update(_differences(function))
+        for name, form in _differences(function).items():
+            public.__dict__[name] = _name(form, function, module, name)
     if not signature.mapped:
+        public.__dict__.update(lanes=signature.lanes, from_lanes=_lanes.from_lanes)
+        public.__dict__["to_lanes"] = _name(
+            _lanes.to_lanes_of(signature.lanes), function, module, "to_lanes"
+        )
         for name, form in _lanes.forms(function).items():
-            named = name in ("blocks", "bind_blocks")
-            public.__dict__[name] = _describe(form, function, module, name) if named else form
+            public.__dict__[name] = _describe(form, function, module, name)
     return public
 
 
@@ -331,10 +343,6 @@ def _describe(
     call: Callable[..., Any], function: Function, module: str, name: str
 ) -> Callable[..., Any]:
     """Gives a function the name and signature a reader expects."""
-    own = function.signature.name
-    call.__module__ = module
-    call.__name__ = name
-    call.__qualname__ = own if name == own else f"{own}.{name}"
     kinds = inspect.Parameter
     parameters = [
         kinds(argument, kinds.POSITIONAL_ONLY if argument == "x" else kinds.KEYWORD_ONLY)
@@ -346,6 +354,17 @@ def _describe(
         parameters.append(kinds("epochs", kinds.KEYWORD_ONLY, default=None))
     parameters.append(kinds("out", kinds.KEYWORD_ONLY, default=None))
     call.__dict__["__signature__"] = inspect.Signature(parameters)
+    return _name(call, function, module, name)
+
+
+def _name(
+    call: Callable[..., Any], function: Function, module: str, name: str
+) -> Callable[..., Any]:
+    """Gives a function the name by which it is found, and pickled."""
+    own = function.signature.name
+    call.__module__ = module
+    call.__name__ = name
+    call.__qualname__ = own if name == own else f"{own}.{name}"
     return call
 
 

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from ._calls import Function
 from ._masked import Computed, MaskedFunction
 from ._places import gather
 from ._runtime import Array, Extent, Output, Part, Signature, Status, output_shape, outputs_of
@@ -27,10 +28,7 @@ class ForeignFunction(MaskedFunction):
 
     def prepare(self, values: Sequence[Any]) -> list[Array]:
         """NumPy arrays of real numbers."""
-        arrays = super().prepare([np.asarray(value) for value in values])
-        if any(array.dtype.kind == "c" for array in arrays):
-            raise TypeError(f"{self.signature.name}: complex steps need the numpy back end")
-        return arrays
+        return Function.prepare(self, values)
 
     def compute(
         self, xp: ModuleType, part: Part, arrays: Sequence[Array], extent: Extent

@@ -142,7 +142,7 @@ def _limits(argument: Argument, guarded: bool) -> _Limits:
 
 
 def _fits(argument: Argument, value: Array) -> bool:
-    return value.dtype is _DOUBLE or (argument.integer and value.dtype.kind in "iu")
+    return value.dtype.kind in "iu" if argument.integer else value.dtype is _DOUBLE
 
 
 def _shared_reader(argument: Argument, guarded: bool) -> Callable[[Any], Any]:
@@ -151,11 +151,12 @@ def _shared_reader(argument: Argument, guarded: bool) -> Callable[[Any], Any]:
     shape = (argument.size,)
     chosen = None if places == tuple(range(argument.size)) else _picker(places)
     array, quaternion = np.ndarray, Kind.QUATERNION
+    integer = argument.integer
 
     def read(value: Any) -> Any:
         if type(value) is not array or value.shape != shape:
             raise Unfit
-        if value.dtype is not _DOUBLE and not _fits(argument, value):
+        if (integer or value.dtype is not _DOUBLE) and not _fits(argument, value):
             raise Unfit
         numbers = value.tolist()
         if not low:
@@ -174,11 +175,12 @@ def _shared_reader(argument: Argument, guarded: bool) -> Callable[[Any], Any]:
         return numbers
 
     def read_one(value: Any) -> Any:
-        if isinstance(value, array) and value.shape == () and _fits(argument, value):
+        if type(value) is array and value.shape == () and _fits(argument, value):
             value = value.item()
-        if not isinstance(value, int if argument.integer else (float, int)):
+        # A truth value is an int to Python, but no index.
+        if not (type(value) is int if integer else isinstance(value, (float, int))):
             raise Unfit
-        number = value if argument.integer else float(value)
+        number = value if integer else float(value)
         if not all(lower <= number <= upper for lower, upper in zip(low, high, strict=True)):
             raise Unfit
         return number
@@ -291,6 +293,8 @@ class Epoch:
         """The fields of the result, or None where the arrays have to look at it."""
         names = self._names
         if self._movable or len(state) + len(inputs) != len(names):
+            return None
+        if state and names[0] != "x":
             return None
         try:
             given = {names[0]: state[0], **inputs} if state else inputs

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import difflib
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum, IntEnum
 from functools import cached_property
@@ -243,6 +243,8 @@ def collect(signature: Signature, given: Sequence[Any], inputs: Mapping[str, Any
             f"{signature.name}() takes {'x' if allowed else 'nothing'} by position and the rest by "
             f"name ({', '.join(names[allowed:]) or 'nothing'}); got {len(given)} positions"
         )
+    if names[:1] == ("x",) and "x" in inputs and any(value is not None for value in given):
+        raise TypeError(f"{signature.name}() got x both by position and by name")
     known = {**dict(zip(names, given, strict=False)), **inputs}
     for name in known:
         if name not in names:
@@ -270,17 +272,18 @@ def _expectation(argument: Argument) -> str:
 
 
 def as_numbers(argument: Argument, value: Any, real: np.dtype[Any], complex_: bool) -> Array:
-    """Converts an argument to an array of the back end's type; refuses what would lose meaning."""
-    array = np.asarray(value)
-    if not argument.integer and array.dtype == real:
-        return array
+    """Converts an argument to an array of the back end's type; refuses what would lose meaning.
+
+    The array is aligned in memory, as C expects of whatever it is given.
+    """
+    array = _as_array(argument, value)
+    if array.dtype == (np.int32 if argument.integer else real):
+        return array if array.flags.aligned else array.copy()
     kind = array.dtype.kind
     if argument.integer:
         if kind not in "iu" and array.size:
             raise TypeError(f"{argument.name}: expected integers, got {array.dtype}")
         limits = np.iinfo(np.int32)
-        if array.dtype == np.int32:
-            return array
         # A value that int32 cannot hold saturates, so that the range guard still refuses it.
         return np.clip(array, limits.min, limits.max).astype(np.int32, copy=False)
     if kind == "c" and complex_:
@@ -288,7 +291,21 @@ def as_numbers(argument: Argument, value: Any, real: np.dtype[Any], complex_: bo
     if kind not in "biuf":
         hint = "; use the numpy back end for complex steps" if kind == "c" else ""
         raise TypeError(f"{argument.name}: expected real numbers, got {array.dtype}{hint}")
-    return array.astype(real, copy=False)
+    # What a shorter type cannot hold becomes infinite, which the range guard refuses.
+    with np.errstate(over="ignore"):
+        return array.astype(real, copy=False)
+
+
+def _as_array(argument: Argument, value: Any) -> Array:
+    """A plain array of NumPy's, of any type."""
+    if type(value) is np.ndarray:
+        return value
+    if isinstance(value, np.ndarray) and np.ma.is_masked(value):
+        raise TypeError(f"{argument.name}: some elements are masked; fill them or leave them out")
+    try:
+        return np.asarray(value)
+    except ValueError as error:
+        raise ValueError(f"{_expectation(argument)}; {error}") from None
 
 
 def measure(signature: Signature, arrays: Sequence[Array]) -> Extent:
@@ -348,6 +365,8 @@ def targets(
             raise ValueError(f"out: {name} is read-only")
         if not array.flags.c_contiguous:
             raise ValueError(f"out: {name} must be contiguous in memory, row by row")
+        if not array.flags.aligned:
+            raise ValueError(f"out: {name} must be aligned in memory")
     return [given[name] for name in names]
 
 
@@ -360,6 +379,8 @@ def _named(signature: Signature, part: Part, names: list[str], out: Any) -> Mapp
         if missing:
             raise TypeError(f"out: {signature.name} also writes {', '.join(missing)}")
         return out
+    if not isinstance(out, Iterable):
+        raise TypeError(f"out: expected arrays for {', '.join(names)}; got {type(out).__name__}")
     given = (out,) if isinstance(out, np.ndarray) else tuple(out)
     fields = len(names) + (1 + signature.mapped if part is Part.ALL else 0)
     if len(given) not in (len(names), fields):

@@ -46,12 +46,20 @@ class MaskedFunction(Function):
         if xp is np:
             return [as_numbers(argument, value, self.real, True) for argument, value in pairs]
         arrays = [xp.asarray(value) for value in values]
+        for argument, array in zip(self.signature.arguments, arrays, strict=True):
+            if argument.integer and array.size and not xp.isdtype(array.dtype, "integral"):
+                raise TypeError(f"{argument.name}: expected integers, got {array.dtype}")
         floats = [array.dtype for array in arrays if is_float(xp, array.dtype)]
         real = xp.result_type(*floats) if floats else xp.asarray(0.0).dtype
         return [
             array if argument.integer or array.dtype in floats else xp.asarray(array, dtype=real)
             for argument, array in zip(self.signature.arguments, arrays, strict=True)
         ]
+
+    def type_of(self, arrays: Sequence[Array]) -> np.dtype[Any]:
+        """Complex where an argument is."""
+        mixed = [array.dtype for array in arrays if array.dtype.kind == "c"]
+        return np.result_type(self.real, *mixed)
 
     def evaluate(
         self, part: Part, arrays: Sequence[Array], extent: Extent, out: list[Array] | None
@@ -92,14 +100,15 @@ class MaskedFunction(Function):
         """Makes all arguments real, lines shared ones up with items and checks every one."""
         floats = [array.dtype for array in arrays if is_float(xp, array.dtype)]
         guards = Guards(xp, xp.result_type(*floats) if floats else xp.asarray(0.0).dtype)
-        wide = []
+        wide, loaded = [], []
         for argument, given in zip(self.signature.arguments, arrays, strict=True):
             array = xp.asarray(given, dtype=guards.real) if argument.integer else given
             if self.signature.mapped and not argument.item:
                 array = array[..., None] if argument.scalar else array[..., None, :]
             wide.append(array)
             if self.signature.guarded or argument.integer:
-                guards.load(argument, ComplexStep(xp).real(array))
+                loaded.append((argument, ComplexStep(xp).real(array)))
+        guards.load(loaded)
         return guards, wide
 
     def computed(

@@ -20,6 +20,7 @@ from ._interface import (
     RetractResult,
     StateBlocks,
 )
+from ._lanes import Blocks
 from ._runtime import GuardError, Status
 
 try:
@@ -39,6 +40,7 @@ State = _state.StateVector(
 
 __all__ = [
     "BACKEND",
+    "Blocks",
     "CalcForceResult",
     "ForceResult",
     "GuardError",

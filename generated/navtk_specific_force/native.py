@@ -20,7 +20,7 @@ _outputs = _straight.outputs
 _empty, _tuple, _id, _array = _np.empty, tuple.__new__, id, _np.ndarray
 _real, _byte = _library.real, _np.dtype(_np.uint8)
 _OK = _runtime.Status.OK
-_UNFIT = (AttributeError, LookupError, TypeError, ValueError)
+_UNFIT = (AttributeError, LookupError, MemoryError, TypeError, ValueError)
 
 
 _retract_function = _compiled.CompiledFunction(_library, _interface.RETRACT)

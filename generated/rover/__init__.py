@@ -21,6 +21,7 @@ from ._interface import (
     RetractResult,
     StateBlocks,
 )
+from ._lanes import Blocks
 from ._runtime import GuardError, Status
 
 try:
@@ -41,6 +42,7 @@ State = _state.StateVector(
 
 __all__ = [
     "BACKEND",
+    "Blocks",
     "GpsResult",
     "GuardError",
     "ImuResult",

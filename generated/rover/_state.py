@@ -60,6 +60,10 @@ class Vector:
         self.size = len(self.labels)
         self.slices: Mapping[str, slice] = MappingProxyType(_slices(names, labels))
         self.__dict__.update(self.slices)
+        self._given = names, labels, units, frames
+
+    def __reduce__(self) -> str | tuple[Any, ...]:
+        return type(self), self._given
 
 
 def _slices(names: tuple[str, ...], labels: tuple[tuple[str, ...], ...]) -> dict[str, slice]:
@@ -101,9 +105,13 @@ class StateVector(Vector):
         self.digest = digest
         self.initial = np.array([value for block in blocks for value in block.initial])
         self.initial.flags.writeable = False
+        self.__module__ = __package__ or ""
         self._record = record
         self._retract = retract
         self._local = local
+
+    def __reduce__(self) -> str:
+        return "State"
 
     def pack(self, **blocks: Any) -> Array:
         """A state vector from its blocks; those not given take their initial value.

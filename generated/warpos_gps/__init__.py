@@ -23,6 +23,7 @@ from ._interface import (
     StateBlocks,
     ToStateFrameResult,
 )
+from ._lanes import Blocks
 from ._runtime import GuardError, Status
 
 try:
@@ -45,6 +46,7 @@ State = _state.StateVector(
 
 __all__ = [
     "BACKEND",
+    "Blocks",
     "GuardError",
     "LocalResult",
     "MeasurementByColumnResult",

@@ -317,9 +317,7 @@ class Blocks:
         """How to evaluate a part, or all outputs as differences to the item ``reference``."""
         batch, items = extent
         count = math.prod(batch)
-        real = self._function.real
-        if any(array.dtype.kind == "c" for array in arrays):
-            real = np.result_type(real, *(a.dtype for a in arrays if a.dtype.kind == "c"))
+        real = self._function.type_of(arrays)
         layouts = self._layouts[part]
         left = items if items is None or reference is None else items - 1
         shapes = [

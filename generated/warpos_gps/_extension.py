@@ -10,9 +10,10 @@ from __future__ import annotations
 import hashlib
 import json
 import operator
+import os
 import sys
 from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor, wait
 from importlib.machinery import EXTENSION_SUFFIXES, ExtensionFileLoader
 from importlib.util import module_from_spec, spec_from_file_location
 from itertools import pairwise
@@ -109,6 +110,7 @@ class Library:
         self._buffer = self.ffi.from_buffer
         self._has_straight = _reads_arrays(self.lib, prefix)
         self._pool: ThreadPoolExecutor | None = None
+        self._process = os.getpid()
         self.threads = 1
 
     def entry(self, name: str) -> Callable[..., int]:
@@ -136,10 +138,15 @@ class Library:
         if number < 1:
             raise ValueError(f"set_threads: count = {number}, expected 1 or more")
         if number != self.threads:
-            pool, self.threads = self._pool, number
-            self._pool = ThreadPoolExecutor(number) if number > 1 else None
-            if pool is not None:
-                pool.shutdown(wait=False)
+            # Nobody shuts the old pool down: another thread may be handing it work. Its threads
+            # end when nothing holds it any more.
+            self.threads = number
+            self._pool = self._make_pool()
+
+    def _make_pool(self) -> ThreadPoolExecutor | None:
+        """Threads of this very process."""
+        self._process = os.getpid()
+        return ThreadPoolExecutor(self.threads) if self.threads > 1 else None
 
     def shares(self, parts: int, epochs: int = 1) -> list[tuple[int, int]]:
         """First part and number of parts of every thread; few epochs are not shared.
@@ -155,10 +162,22 @@ class Library:
         return [(first, last - first) for first, last in pairwise(ends)]
 
     def run(self, calls: Sequence[Callable[[], Any]]) -> list[Any]:
-        """Runs calls side by side; the C they call releases the interpreter."""
-        if len(calls) == 1 or self._pool is None:
+        """Runs calls side by side; the C they call releases the interpreter.
+
+        None of them runs any more afterwards, whatever one of them raised.
+        """
+        if self._process != os.getpid():  # a forked process inherits the pool, but no threads
+            self._pool = self._make_pool()
+        pool = self._pool
+        if len(calls) == 1 or pool is None:
             return [call() for call in calls]
-        return [future.result() for future in [self._pool.submit(call) for call in calls]]
+        started: list[Future[Any]] = []
+        try:
+            for call in calls:
+                started.append(pool.submit(call))
+            return [future.result() for future in started]
+        finally:
+            wait(started)
 
 
 def _reads_arrays(lib: Any, prefix: str) -> bool:

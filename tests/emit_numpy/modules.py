@@ -333,6 +333,14 @@ def local() -> ir.Function:
     )
 
 
+def choice() -> ir.Function:
+    """One of two elements of the state, by a number that is an integer."""
+    chosen = call(Op.EQ, ir.Load("k", 0), number(0.0))
+    value = call(Op.SELECT, chosen, x(0), x(1))
+    own = domain("k", 1, (0.0, 1.0), kind=ir.Kind.INTEGER, unit="1")
+    return function("choice", (X, argument(own)), (output("value", (1,), [((0,), value)]),))
+
+
 def chain() -> ir.Function:
     """Twenty steps, each of which reads the one before; two are results."""
     steps = [ir.Statement("t0", add(x(0), x(1)))]

@@ -73,6 +73,25 @@ def test_every_operation_carries_a_derivative(
         assert exact[smooth] == pytest.approx(slope[smooth], rel=1e-5, abs=1e-6)
 
 
+@pytest.mark.parametrize("batch", [(), (3,)], ids=str)
+def test_steps_need_arrays_that_hold_them(
+    package: ModuleType, rng: np.random.Generator, batch: tuple[int, ...]
+) -> None:
+    """What is written to is complex as well; real arrays would lose the derivative."""
+    x, arm = packages.states(rng, *batch), np.full((*batch, 3), 1.0 + 1e-40j)
+    fresh = package.gps(x, lever_arm=arm)
+    real = [np.full(array.shape, 7.0) for array in fresh[:-1]]
+    with pytest.raises(ValueError, match=r"out: value must be complex128 of shape .* float64"):
+        package.gps(x, lever_arm=arm, out=real)
+    assert all((array == 7.0).all() for array in real)
+    out = [np.full_like(array, 7.0) for array in fresh[:-1]]
+    call = package.gps.bind(x, lever_arm=arm)
+    for result in (package.gps(x, lever_arm=arm, out=out), call(), call()):
+        assert np.imag(result.value).any()
+        for one, other in zip(result[:-1], fresh[:-1], strict=True):
+            assert np.array_equal(one, other)
+
+
 def test_guards_look_at_real_parts(package: ModuleType, rng: np.random.Generator) -> None:
     """A step does not lead out of a range; a bad real part still fails."""
     x = packages.states(rng, 2).astype(complex)

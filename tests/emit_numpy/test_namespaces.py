@@ -122,6 +122,37 @@ def test_jax_differentiates(package: ModuleType, jax: Any, rng: np.random.Genera
     assert np.asarray(slope) == pytest.approx(expected, rel=1e-14)
 
 
+def test_what_is_written_to_is_of_numpy(
+    package: ModuleType, strict: Any, jax: Any, rng: np.random.Generator
+) -> None:
+    """Arrays of another library are results, never written to; what is given is not ignored."""
+    given = packages.arguments(FUNCTIONS["gps"], rng)
+    out = [np.full_like(array, 7.0) for array in packages.called(package.gps, given)[:-1]]
+    for asarray in (strict.asarray, jax.numpy.asarray):
+        foreign = {name: asarray(value) for name, value in given.items()}
+        with pytest.raises(TypeError, match="out: gps writes to it only from NumPy's arrays"):
+            packages.called(package.gps, foreign, out=out)
+        with pytest.raises(TypeError, match="bind: x must be a contiguous NumPy array"):
+            packages.called(package.gps.bind, foreign)
+    assert all((array == 7.0).all() for array in out)
+
+
+def test_indices_of_other_libraries(
+    package: ModuleType, strict: Any, jax: Any, rng: np.random.Generator
+) -> None:
+    """A half is no index there either, traced or not."""
+    given = packages.arguments(FUNCTIONS["ranges"], rng)
+    for asarray in (strict.asarray, jax.numpy.asarray):
+        for index in (np.full(5, 0.5), np.zeros(5, bool)):
+            foreign = {k: asarray(v) for k, v in {**given, "slot": index}.items()}
+            with pytest.raises(TypeError, match=r"slot: expected integers, got .*(float64|bool)"):
+                packages.called(package.ranges, foreign)
+    with pytest.raises(TypeError, match="slot: expected integers"):
+        jax.jit(lambda slot: packages.called(package.ranges, {**given, "slot": slot}).value)(
+            jax.numpy.zeros(5)
+        )
+
+
 def test_libraries_mix(package: ModuleType, jax: Any, rng: np.random.Generator) -> None:
     """Lists and NumPy arrays follow the one array that belongs elsewhere."""
     x = packages.states(rng, 2)

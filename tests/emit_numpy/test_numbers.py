@@ -79,7 +79,7 @@ def small(tmp_path_factory: pytest.TempPathFactory) -> ModuleType:
     """A package of the functions above, and some that need arrays."""
     functions = (
         modules.gps(), modules.ranges(), modules.frame_map(), modules.operations(), plain_ranges(),
-        wide(), divided(), known(1.25), known(3.0),
+        wide(), divided(), known(1.25), known(3.0), modules.choice(),
         modules.unguarded(replace(divided(), name="free")),
     )  # fmt: skip
     module = modules.module(*functions)
@@ -174,6 +174,28 @@ def test_failed_items_are_left_to_arrays(small: ModuleType, rng: np.random.Gener
     changed["height"] = np.array(0.0)
     changed["satellite"][2] = changed["x"][:3]
     assert called(small.plain, changed).item_status.tolist() == [0, 0, ir.Status.DOMAIN, 0, 0]
+
+
+def test_indices_are_integers_for_one_epoch(small: ModuleType, rng: np.random.Generator) -> None:
+    """A half is no index, and neither is a truth value, one by one or in arrays."""
+    given = packages.arguments(plain_ranges(), rng)
+    for index in (np.zeros(5), np.full(5, 0.5), np.zeros(5, bool)):
+        for name in ("system", "slot"):
+            with pytest.raises(TypeError, match=f"{name}: expected integers, got {index.dtype}"):
+                called(small.plain, {**given, name: index})
+    x = packages.states(rng)
+    assert small.choice(x, k=1).value[0] == small.choice(x, k=np.uint8(1)).value[0] == x[1]
+    for index in (True, 1.0, np.float64(1.0), np.array(1.0), np.ma.masked_array(1.0)):
+        with pytest.raises(TypeError, match="k: expected integers"):
+            small.choice(x, k=index)
+
+
+def test_only_the_state_has_a_position(small: ModuleType) -> None:
+    """Also where the first argument could be taken for one."""
+    with pytest.raises(TypeError, match="takes nothing by position"):
+        small.operations(0.5, b=1.0)
+    with pytest.raises(TypeError, match="takes nothing by position"):
+        small.wide(np.zeros(3))
 
 
 @pytest.mark.parametrize(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 import pickle
+import warnings
 from types import ModuleType
 from typing import Any
 
@@ -129,6 +130,73 @@ def test_numbers_in_any_clothes(functions: ModuleType, x: Any) -> None:
         assert functions.gps(own, lever_arm=arm).value == pytest.approx(expected, rel=1e-15)
 
 
+def test_masked_elements_are_refused(functions: ModuleType, x: Any) -> None:
+    """What stands behind a mask is no data."""
+    hidden = np.ma.masked_array(x, mask=np.arange(x.size) == 1)
+    with pytest.raises(TypeError, match="x: some elements are masked; fill them"):
+        functions.gps(hidden, lever_arm=ARM)
+    with pytest.raises(TypeError, match="a: some elements are masked"):
+        functions.operations(a=np.ma.masked, b=1.0)
+
+
+def test_ragged_lists_are_named(functions: ModuleType, x: Any) -> None:
+    """NumPy does not say which argument it was."""
+    with pytest.raises(ValueError, match=r"lever_arm: expected \(\.\.\., 3\); .*inhomogeneous"):
+        functions.gps(x, lever_arm=[1.0, [2.0, 3.0]])
+
+
+def test_the_state_is_given_once(functions: ModuleType, x: Any) -> None:
+    """By position, or by name where somebody insists; without a state nothing has a position."""
+    expected = functions.gps(x, lever_arm=ARM).value
+    assert functions.gps(x=x, lever_arm=ARM).value.tolist() == expected.tolist()
+    with pytest.raises(TypeError, match=r"gps\(\) got x both by position and by name"):
+        functions.gps(x, x=x + 1.0, lever_arm=ARM)
+    with pytest.raises(TypeError, match=r"positional|by position"):
+        functions.operations(0.5, b=1.0)
+
+
+def test_norms_come_after_all_ranges(package: ModuleType, rng: np.random.Generator) -> None:
+    """Two arguments fail: the range of the second is looked at before the norm of the first."""
+    x = np.array([1.0, 0.0, 0.0, 0.8, 0.0, 0.0, 0.8, *np.zeros(6)])
+    d = np.full(modules.ERROR_SIZE, 2e3)
+    for name in ("native", "numpy"):
+        form = backend(package, name).retract
+        assert form(x[None], d=d[None]).status.tolist() == [package.Status.RANGE]
+        with pytest.raises(package.GuardError, match=r"retract: RANGE: d\[0\]"):
+            form(x, d=d)
+
+
+def test_single_precision_names_what_failed(package: ModuleType, rng: np.random.Generator) -> None:
+    """Where rounding decides about a norm as well; what overflows warns of nothing."""
+    form = backend(package, "native_f32").gps
+    refused = 0
+    for x in packages.states(rng, 300):
+        x[3:7] *= np.sqrt(1.0 + 1e-6 * rng.uniform(0.8, 1.0))
+        try:
+            form(x, lever_arm=ARM)
+        except package.GuardError as error:
+            refused += 1
+            assert error.argument == "x" and error.index == (3,)
+            assert "x[3:7] (attitude) is not a unit quaternion" in str(error)
+    assert refused > 0
+    x[0] = 1e300
+    with warnings.catch_warnings(), pytest.raises(package.GuardError, match=r"x\[0\] .* = inf"):
+        warnings.simplefilter("error")
+        form(x, lever_arm=ARM)
+
+
+def test_more_items_than_memory_holds(package: ModuleType, rng: np.random.Generator) -> None:
+    """The number of items is the error, not the arrays made for their results."""
+    items = 2**40
+    wide = {
+        name: np.broadcast_to(np.asarray(value)[0], (items, *np.shape(value)[1:]))
+        for name, value in satellites(rng).items()
+        if name in ("satellite", "system", "slot")
+    }
+    with pytest.raises(package.GuardError, match=f"ranges: COUNT: .* has n = {items}"):
+        called(backend(package, "native").ranges, satellites(rng, **wide))
+
+
 def test_scalars(functions: ModuleType) -> None:
     """An input of one element has no axis of its own."""
     expected = functions.operations(a=0.5, b=2.0).value
@@ -207,5 +275,7 @@ def test_signatures_are_readable(functions: ModuleType) -> None:
 
 
 def test_functions_can_be_pickled(package: ModuleType, functions: ModuleType) -> None:
-    """They are found again by the name of their module."""
-    assert pickle.loads(pickle.dumps(functions.gps)) is functions.gps
+    """They are found again by the name of their module, and so are their forms."""
+    forms = [functions.gps, *vars(functions.gps).values(), *vars(functions.ranges).values()]
+    for form in filter(callable, forms):
+        assert pickle.loads(pickle.dumps(form)) is form

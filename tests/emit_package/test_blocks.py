@@ -2,7 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import gc
+import itertools
+import os
+import subprocess
+import sys
+import threading
+import time
+import weakref
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
 from types import ModuleType
 from typing import Any
 
@@ -115,6 +124,28 @@ def test_bound_blocks_see_changes(functions: ModuleType, rng: np.random.Generato
         called(form.bind_blocks, {**blocks, "lever_arm": blocks["lever_arm"].tolist()})
 
 
+def test_bound_blocks_begin_with_nothing(functions: ModuleType, rng: np.random.Generator) -> None:
+    """New arrays hold NaN until an epoch passes, and what passed after it fails."""
+    form = functions.gps
+    given = packages.arguments(FUNCTIONS["gps"], rng, 40)
+    given["x"][7, 0] = np.inf
+    blocks = blocked(form, given)
+    call = called(form.bind_blocks, blocks, epochs=40)
+    rows = form.from_lanes(call().outputs["value"])
+    assert np.isnan(rows[7]).all() and np.isnan(rows[40:]).all()
+    assert np.isfinite(np.delete(rows[:40], 7, 0)).all()
+    blocks["x"][0, 0, 3] = np.inf
+    assert_array_equal(form.from_lanes(call().outputs["value"]), rows)
+
+
+def test_rows_are_no_view_of_blocks(functions: ModuleType) -> None:
+    """Not even those of one element."""
+    for elements in (1, 2):
+        blocks = np.zeros((2, elements, functions.gps.lanes))
+        rows = functions.gps.from_lanes(blocks)
+        assert not np.shares_memory(rows, blocks) and rows.flags.writeable
+
+
 def test_unfit_blocks_are_refused(functions: ModuleType, rng: np.random.Generator) -> None:
     """Shapes, numbers of epochs and arrays to write to."""
     form = functions.gps
@@ -176,6 +207,87 @@ def test_threads_share_the_epochs(threaded: ModuleType) -> None:
             threaded.set_threads(wrong)
     with pytest.raises(TypeError):
         threaded.set_threads(1.5)
+
+
+def test_threads_hold_the_memory_they_use(
+    threaded: ModuleType, rng: np.random.Generator, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A caller that is interrupted leaves; its arrays stay until the last thread is done."""
+    started: list[Callable[[], Any]] = []
+
+    def interrupted(calls: Sequence[Callable[[], Any]]) -> None:
+        started.extend(calls)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(threaded._library, "run", interrupted)
+    given = packages.arguments(FUNCTIONS["gps"], rng, 2000)
+    state = weakref.ref(given["x"])
+    with pytest.raises(KeyboardInterrupt):
+        called(threaded.gps, given)
+    del given
+    gc.collect()
+    assert len(started) == 2 and state() is not None
+    assert [call() for call in started] == [0, 0]
+    started.clear()
+    gc.collect()
+    assert state() is None
+
+
+def test_threads_are_done_when_one_fails(threaded: ModuleType) -> None:
+    """Nothing writes to the caller's arrays after the error."""
+    done: list[int] = []
+
+    def late() -> None:
+        time.sleep(0.2)
+        done.append(1)
+
+    def wrong() -> None:
+        raise RuntimeError("here")
+
+    with pytest.raises(RuntimeError, match="here"):
+        threaded._library.run([wrong, late])
+    assert done == [1]
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork on this system")
+def test_a_forked_process_has_threads_of_its_own(package: ModuleType) -> None:
+    """The child does not wait for threads that stayed behind."""
+    code = (
+        "import os, signal, sys; import numpy as np; import rover.native as native\n"
+        "native.set_threads(2); run = native._library.run\n"
+        "work = [lambda: 3, lambda: 4]\n"
+        "assert run(work) == [3, 4]\n"
+        "child = os.fork()\n"
+        "if not child: signal.alarm(20); os._exit(run(work) != [3, 4])\n"
+        "assert os.waitpid(child, 0)[1] == 0\n"
+        "assert run(work) == [3, 4]"
+    )
+    folder = Path(str(package.__file__)).parent.parent
+    command = [sys.executable, "-W", "ignore", "-c", code]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+
+
+def test_the_number_of_threads_may_change_at_any_time(
+    threaded: ModuleType, rng: np.random.Generator
+) -> None:
+    """A call that is under way keeps the threads it began with."""
+    library, over = threaded._library, threading.Event()
+
+    def change() -> None:
+        for number in itertools.cycle((1, 2, 3)):
+            threaded.set_threads(number)
+            if over.is_set():
+                return
+
+    other = threading.Thread(target=change)
+    other.start()
+    try:
+        for _ in range(300):
+            assert library.run([lambda: 3, lambda: 4]) == [3, 4]
+    finally:
+        over.set()
+        other.join()
 
 
 def test_an_error_in_a_thread_is_raised(threaded: ModuleType) -> None:

@@ -20,6 +20,13 @@ def functions(package: ModuleType, request: pytest.FixtureRequest) -> ModuleType
     return backend(package, request.param)
 
 
+def shifted(array: Any) -> Any:
+    """The same numbers one byte off, as in packed records."""
+    moved = np.zeros(array.nbytes + 1, np.uint8)[1:].view(array.dtype).reshape(array.shape)
+    moved[...] = array
+    return moved
+
+
 def empty(name: str, batch: tuple[int, ...], items: int | None = None) -> dict[str, Any]:
     """Arrays for every output, filled with a number no function gives."""
     made = {}
@@ -114,6 +121,7 @@ def test_bad_items_write_zero_rows(functions: ModuleType, rng: np.random.Generat
         ({"value": np.zeros(3, np.float32)}, ValueError, "got float32"),
         ({"value": np.zeros(6)[::2]}, ValueError, "out: value must be contiguous"),
         ({"value": np.broadcast_to(0.0, (3,))}, ValueError, "out: value is read-only"),
+        ({"value": shifted(np.zeros(3))}, ValueError, "out: value must be aligned in memory"),
     ],
 )
 def test_unfit_arrays_are_refused(
@@ -128,6 +136,13 @@ def test_unfit_arrays_are_refused(
     out = {key: value for key, value in {**empty("gps", ()), **change}.items() if value is not None}
     with pytest.raises(error, match=message):
         called(functions.gps, given, out=out)
+
+
+def test_what_is_no_array_is_refused(functions: ModuleType, rng: np.random.Generator) -> None:
+    """A number, for instance."""
+    given = packages.arguments(FUNCTIONS["gps"], rng)
+    with pytest.raises(TypeError, match=r"out: expected arrays for value, .*; got int"):
+        called(functions.gps, given, out=5)
 
 
 def test_overlap_is_refused(functions: ModuleType, rng: np.random.Generator) -> None:
@@ -221,10 +236,46 @@ def test_bound_calls_report_bad_items(
 def test_only_lasting_arrays_are_bound(functions: ModuleType, rng: np.random.Generator) -> None:
     """What would be copied could not be seen to change."""
     given = packages.arguments(FUNCTIONS["gps"], rng)
-    for arm in ([1.0, 2.0, 3.0], np.zeros(3, np.float32), np.zeros(6)[::2]):
+    unfit = ([1.0, 2.0, 3.0], np.zeros(3, np.float32), np.zeros(6)[::2], shifted(np.zeros(3)))
+    for arm in unfit:
         with pytest.raises(TypeError, match="bind: lever_arm must be a contiguous NumPy array of"):
             functions.gps.bind(given["x"], lever_arm=arm)
     assert functions.operations.bind(a=0.5, b=1.5)().value[0] == 2.0
+
+
+@pytest.mark.parametrize("batch", [(), (3,), (2, 2)], ids=str)
+@pytest.mark.parametrize("single", [False, True])
+def test_compiled_code_reads_aligned_memory(
+    package: ModuleType,
+    rng: np.random.Generator,
+    monkeypatch: pytest.MonkeyPatch,
+    batch: tuple[int, ...],
+    single: bool,
+) -> None:
+    """Columns of packed records are moved first: C may not look at them where they lie."""
+    native = backend(package, "native_f32" if single else "native")
+    pointer, seen = native._library.pointer, []
+
+    def watched(array: Any) -> Any:
+        seen.append(array.flags.aligned)
+        return pointer(array)
+
+    real = native._library.real
+    for name in ("gps", "frame_map"):
+        form = getattr(native, name)
+        monkeypatch.setattr(vars(native)[f"_{name}_function"], "_pointer", watched)
+        given = {
+            key: np.asarray(value, dtype=real)
+            for key, value in packages.arguments(FUNCTIONS[name], rng, *batch).items()
+        }
+        moved = {key: shifted(value) for key, value in given.items()}
+        for own in (form, form.value, form.nonzeros):
+            seen.clear()
+            found, expected = called(own, moved), called(own, given)
+            found, expected = (r if isinstance(r, tuple) else (r,) for r in (found, expected))
+            for one, other in zip(found, expected, strict=True):
+                assert np.array_equal(one, other)
+            assert seen and all(seen)
 
 
 def test_tables_of_nonzeros(functions: ModuleType, rng: np.random.Generator) -> None:

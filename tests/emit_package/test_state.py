@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import copy
+import pickle
 from types import ModuleType
 
 import numpy as np
@@ -36,6 +38,18 @@ def test_names_of_blocks_are_read_only(package: ModuleType) -> None:
         package.State.units["position"] = "km"
     with pytest.raises(ValueError, match="read-only"):
         package.State.initial[0] = 1.0
+
+
+def test_copies_and_pickles(package: ModuleType) -> None:
+    """The state travels by its name; what is part of it, whole."""
+    state = package.State
+    assert pickle.loads(pickle.dumps(state)) is state
+    assert copy.deepcopy({"filter": state})["filter"] is state
+    for other in (pickle.loads(pickle.dumps(state.error)), copy.deepcopy(state.error)):
+        assert (other.attitude, other.labels) == (state.error.attitude, state.error.labels)
+        assert other.units == state.error.units
+        with pytest.raises(TypeError):
+            other.units["position"] = "km"
 
 
 def test_pack_and_unpack(package: ModuleType, rng: np.random.Generator) -> None:

@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 from numpy.testing import assert_array_equal
 
-from symnav import build, ir
+from symnav import build
 from symnav.emit import c
-from tests.emit_numpy import modules, packages, records
+from tests.emit_numpy import modules, packages
 from tests.emit_numpy.packages import backend, called
 
 FUNCTIONS = {function.name: function for function in modules.module().functions}
@@ -196,19 +196,10 @@ def test_numbers_are_taken(package: ModuleType) -> None:
     assert narrow[0][0] == np.float32(0.1) + np.float32(1.5)
 
 
-def choice() -> ir.Function:
-    """One of two elements of the state, by a number that is an integer."""
-    chosen = records.call(ir.Operation.EQ, ir.Load("k", 0), records.number(0.0))
-    value = records.call(ir.Operation.SELECT, chosen, modules.x(0), modules.x(1))
-    own = records.domain("k", 1, (0.0, 1.0), kind=ir.Kind.INTEGER, unit="1")
-    outputs = (records.output("value", (1,), [((0,), value)]),)
-    return records.function("choice", (modules.X, records.argument(own)), outputs)
-
-
 @pytest.fixture(scope="module")
 def small(tmp_path_factory: pytest.TempPathFactory) -> ModuleType:
     """A package whose extension has no straight ways, as where NumPy has no headers."""
-    module = modules.module(modules.gps(), choice(), name="small")
+    module = modules.module(modules.gps(), modules.choice(), name="small")
     folder = tmp_path_factory.mktemp("without") / "small"
     text = {**packages.text_of(module), **c.emit(module)}
     package = packages.write(text, folder)
@@ -237,7 +228,7 @@ def test_nothing_depends_on_straight_ways(
 
 def test_a_build_with_headers_is_another(small: ModuleType, tmp_path: Path) -> None:
     """An extension without straight ways is not taken for one that has them."""
-    module = modules.module(modules.gps(), choice(), name="small")
+    module = modules.module(modules.gps(), modules.choice(), name="small")
     made = packages.write({**packages.text_of(module), **c.emit(module)}, tmp_path / "small")
     build.build(made)
     native = backend(packages.load(made), "native")

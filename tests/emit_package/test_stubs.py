@@ -127,6 +127,9 @@ def test_stubs_match_what_is_there(package: Path) -> None:
         assert len(promised) >= 7
         missing = [n for n in promised if not n.startswith("_") and not hasattr(module, n)]
         assert missing == []
+        imports = [n.names for n in tree.body if isinstance(n, ast.ImportFrom) and n.module]
+        public = [a.asname for names in imports for a in names if a.asname == a.name]
+        assert [n for n in public if n and not hasattr(module, n)] == []
     forms = {
         n.name: n
         for n in ast.parse((package / "__init__.pyi").read_text()).body

@@ -72,14 +72,16 @@ def _rank(name: str) -> tuple[int, str]:
 def _package(module: ir.Module, backends: Sequence[str]) -> str:
     functions = [function.name for function in module.functions]
     stateful = bool(module.state.blocks)
+    single = any(function.maximum is None for function in module.functions)
     results = list(result_names(module.functions).values()) + ["StateBlocks"] * stateful
-    own = ["BACKEND", "GuardError", "Status", *["State"] * stateful]
+    own = ["BACKEND", "GuardError", "Status", *["State"] * stateful, *["Blocks"] * single]
     return render(
         "package/__init__.py.j2",
         name=module.name,
         functions=functions,
         results=sorted(results),
         backends=backends,
+        single=single,
         stateful=stateful,
         exported=sorted([*own, *functions, *results], key=_rank),
     )
