@@ -44,6 +44,13 @@ def wide() -> ir.Function:
     )
 
 
+def pair() -> ir.Function:
+    """Two indices in one argument."""
+    own = domain("k", 2, (0.0, 3.0), kind=ir.Kind.INTEGER, unit="1")
+    total = add(ir.Load("k", 0), ir.Load("k", 1))
+    return function("pair", (argument(own),), (output("value", (1,), [((0,), total)]),))
+
+
 def divided() -> ir.Function:
     """What Python's numbers refuse: a division by zero, a root, a logarithm, an overflow."""
     a = ir.Load("a", 0)
@@ -79,7 +86,7 @@ def small(tmp_path_factory: pytest.TempPathFactory) -> ModuleType:
     """A package of the functions above, and some that need arrays."""
     functions = (
         modules.gps(), modules.ranges(), modules.frame_map(), modules.operations(), plain_ranges(),
-        wide(), divided(), known(1.25), known(3.0), modules.choice(),
+        wide(), divided(), known(1.25), known(3.0), modules.choice(), pair(),
         modules.unguarded(replace(divided(), name="free")),
     )  # fmt: skip
     module = modules.module(*functions)
@@ -188,6 +195,13 @@ def test_indices_are_integers_for_one_epoch(small: ModuleType, rng: np.random.Ge
     for index in (True, 1.0, np.float64(1.0), np.array(1.0), np.ma.masked_array(1.0)):
         with pytest.raises(TypeError, match="k: expected integers"):
             small.choice(x, k=index)
+
+
+def test_pairs_of_indices_are_integers(small: ModuleType) -> None:
+    """Arrays of doubles are no indices, whole or not."""
+    assert small.pair(k=np.array([1, 2])).value[0] == small.pair(k=[1, 2]).value[0] == 3.0
+    with pytest.raises(TypeError, match="k: expected integers, got float64"):
+        small.pair(k=np.array([0.5, 1.0]))
 
 
 def test_only_the_state_has_a_position(small: ModuleType) -> None:

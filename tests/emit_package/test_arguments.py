@@ -136,7 +136,7 @@ def test_masked_elements_are_refused(functions: ModuleType, x: Any) -> None:
     with pytest.raises(TypeError, match="x: some elements are masked; fill them"):
         functions.gps(hidden, lever_arm=ARM)
     with pytest.raises(TypeError, match="a: some elements are masked"):
-        functions.operations(a=np.ma.masked, b=1.0)
+        functions.operations(a=np.ma.masked_array(0.5, mask=True), b=1.0)
 
 
 def test_ragged_lists_are_named(functions: ModuleType, x: Any) -> None:

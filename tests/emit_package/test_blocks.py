@@ -253,14 +253,14 @@ def test_threads_are_done_when_one_fails(threaded: ModuleType) -> None:
 def test_a_forked_process_has_threads_of_its_own(package: ModuleType) -> None:
     """The child does not wait for threads that stayed behind."""
     code = (
-        "import os, signal, sys; import numpy as np; import rover.native as native\n"
+        "import os, signal, threading; import numpy as np; import rover.native as native\n"
         "native.set_threads(2); run = native._library.run\n"
-        "work = [lambda: 3, lambda: 4]\n"
-        "assert run(work) == [3, 4]\n"
+        "together = [threading.Barrier(2).wait] * 2\n"
+        "assert sorted(run(together)) == [0, 1]\n"
         "child = os.fork()\n"
-        "if not child: signal.alarm(20); os._exit(run(work) != [3, 4])\n"
+        "if not child: signal.alarm(20); os._exit(sorted(run(together)) != [0, 1])\n"
         "assert os.waitpid(child, 0)[1] == 0\n"
-        "assert run(work) == [3, 4]"
+        "assert sorted(run(together)) == [0, 1]"
     )
     folder = Path(str(package.__file__)).parent.parent
     command = [sys.executable, "-W", "ignore", "-c", code]
