@@ -120,7 +120,9 @@ class CompiledFunction(BatchFunction):
             for target, result in zip(out, results, strict=True):
                 if target is not result:
                     np.copyto(target, result)
-        return Evaluation(out or results, status, items[0] if items else None)
+        # What lies in columns is turned, so that it can be written to again.
+        fresh = out or [np.asarray(result, order="C") for result in results]
+        return Evaluation(fresh, status, items[0] if items else None)
 
     def _memory(
         self, output: Output, nonzeros: bool, extent: Extent, longest: int, given: Array | None

@@ -149,6 +149,26 @@ def test_storage_by_column_shows_nowhere(
     assert_same(out["jacobian"], expected.jacobian)
 
 
+@pytest.mark.parametrize("batch", [(), (3,)], ids=str)
+@pytest.mark.parametrize("name", ["gps", "ranges", "frame_map"])
+def test_results_by_column_are_written_to_again(
+    by_column: ModuleType, rng: np.random.Generator, name: str, batch: tuple[int, ...]
+) -> None:
+    """A result is fit for ``out``, and a bound call makes its own."""
+    given = packages.arguments(FUNCTIONS[name], rng, *batch)
+    form = getattr(by_column, name)
+    result = called(form, given)
+    held = [np.array(array) for array in result]
+    again = called(form, given, out=result)
+    assert again.jacobian is result.jacobian
+    assert_same(tuple(again), tuple(held))
+    call = called(form.bind, {key: np.asarray(value) for key, value in given.items()})
+    assert_same(tuple(call()), tuple(held))
+    jacobian = called(form.nonzeros, given) if not batch else called(form.jacobian, given)
+    part = form.nonzeros if not batch else form.jacobian
+    assert called(part, given, out=jacobian) is not None
+
+
 def test_storage_by_column_of_differences(by_column: ModuleType, rng: np.random.Generator) -> None:
     """The differenced form has shorter columns."""
     given = packages.arguments(FUNCTIONS["ranges"], rng)
