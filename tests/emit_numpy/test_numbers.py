@@ -192,9 +192,9 @@ def test_indices_are_integers_for_one_epoch(small: ModuleType, rng: np.random.Ge
                 called(small.plain, {**given, name: index})
     x = packages.states(rng)
     assert small.choice(x, k=1).value[0] == small.choice(x, k=np.uint8(1)).value[0] == x[1]
-    for index in (True, 1.0, np.float64(1.0), np.array(1.0), np.ma.masked_array(1.0)):
+    for wrong in (True, 1.0, np.float64(1.0), np.array(1.0), np.ma.masked_array(1.0)):
         with pytest.raises(TypeError, match="k: expected integers"):
-            small.choice(x, k=index)
+            small.choice(x, k=wrong)
 
 
 def test_pairs_of_indices_are_integers(small: ModuleType) -> None:
