@@ -215,7 +215,7 @@ EKF_CAL_GPS_NARROW ekf_cal_gps_status_t ekf_cal_gps_retract(
 {
     ekf_cal_gps_status_t status = EKF_CAL_GPS_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL)) {
+    if ((value != NULL) && (d != NULL) && (x != NULL)) {
         retract_input_t in;
         retract_output_t out;
 
@@ -306,7 +306,7 @@ ekf_cal_gps_status_t ekf_cal_gps_retract_blocks(
 {
     ekf_cal_gps_status_t result = EKF_CAL_GPS_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (d != NULL) && (x != NULL)) {
         result = (epochs < 0) ? EKF_CAL_GPS_COUNT : EKF_CAL_GPS_OK;
         for (ptrdiff_t first = 0; first < epochs; first += EKF_CAL_GPS_RETRACT_LANES) {
             const ptrdiff_t rest = epochs - first;
@@ -352,7 +352,7 @@ ekf_cal_gps_status_t ekf_cal_gps_retract_batch(
 {
     ekf_cal_gps_status_t result = EKF_CAL_GPS_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (d != NULL) && (x != NULL)) {
         retract_block_t block;
 
         result = (epochs < 0) ? EKF_CAL_GPS_COUNT : EKF_CAL_GPS_OK;

@@ -249,7 +249,7 @@ EKF_CAL_ONLINE_NARROW ekf_cal_online_status_t ekf_cal_online_local(
 {
     ekf_cal_online_status_t status = EKF_CAL_ONLINE_NULL;
 
-    if ((x != NULL) && (y != NULL) && (value != NULL)) {
+    if ((value != NULL) && (y != NULL) && (x != NULL)) {
         local_input_t in;
         local_output_t out;
 
@@ -341,7 +341,7 @@ ekf_cal_online_status_t ekf_cal_online_local_blocks(
 {
     ekf_cal_online_status_t result = EKF_CAL_ONLINE_NULL;
 
-    if ((x != NULL) && (y != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (y != NULL) && (x != NULL)) {
         result = (epochs < 0) ? EKF_CAL_ONLINE_COUNT : EKF_CAL_ONLINE_OK;
         for (ptrdiff_t first = 0; first < epochs; first += EKF_CAL_ONLINE_LOCAL_LANES) {
             const ptrdiff_t rest = epochs - first;
@@ -387,7 +387,7 @@ ekf_cal_online_status_t ekf_cal_online_local_batch(
 {
     ekf_cal_online_status_t result = EKF_CAL_ONLINE_NULL;
 
-    if ((x != NULL) && (y != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (y != NULL) && (x != NULL)) {
         local_block_t block;
 
         result = (epochs < 0) ? EKF_CAL_ONLINE_COUNT : EKF_CAL_ONLINE_OK;

@@ -247,7 +247,7 @@ EKF_CAL_ONLINE_NARROW ekf_cal_online_status_t ekf_cal_online_retract(
 {
     ekf_cal_online_status_t status = EKF_CAL_ONLINE_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL)) {
+    if ((value != NULL) && (d != NULL) && (x != NULL)) {
         retract_input_t in;
         retract_output_t out;
 
@@ -339,7 +339,7 @@ ekf_cal_online_status_t ekf_cal_online_retract_blocks(
 {
     ekf_cal_online_status_t result = EKF_CAL_ONLINE_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (d != NULL) && (x != NULL)) {
         result = (epochs < 0) ? EKF_CAL_ONLINE_COUNT : EKF_CAL_ONLINE_OK;
         for (ptrdiff_t first = 0; first < epochs; first += EKF_CAL_ONLINE_RETRACT_LANES) {
             const ptrdiff_t rest = epochs - first;
@@ -385,7 +385,7 @@ ekf_cal_online_status_t ekf_cal_online_retract_batch(
 {
     ekf_cal_online_status_t result = EKF_CAL_ONLINE_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (d != NULL) && (x != NULL)) {
         retract_block_t block;
 
         result = (epochs < 0) ? EKF_CAL_ONLINE_COUNT : EKF_CAL_ONLINE_OK;

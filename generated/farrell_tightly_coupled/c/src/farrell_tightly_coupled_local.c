@@ -192,7 +192,7 @@ FARRELL_TIGHTLY_COUPLED_NARROW farrell_tightly_coupled_status_t farrell_tightly_
 {
     farrell_tightly_coupled_status_t status = FARRELL_TIGHTLY_COUPLED_NULL;
 
-    if ((x != NULL) && (y != NULL) && (value != NULL)) {
+    if ((value != NULL) && (y != NULL) && (x != NULL)) {
         local_input_t in;
         local_output_t out;
 
@@ -285,7 +285,7 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_local_blocks(
 {
     farrell_tightly_coupled_status_t result = FARRELL_TIGHTLY_COUPLED_NULL;
 
-    if ((x != NULL) && (y != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (y != NULL) && (x != NULL)) {
         result = (epochs < 0) ? FARRELL_TIGHTLY_COUPLED_COUNT : FARRELL_TIGHTLY_COUPLED_OK;
         for (ptrdiff_t first = 0; first < epochs; first += FARRELL_TIGHTLY_COUPLED_LOCAL_LANES) {
             const ptrdiff_t rest = epochs - first;
@@ -331,7 +331,7 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_local_batch(
 {
     farrell_tightly_coupled_status_t result = FARRELL_TIGHTLY_COUPLED_NULL;
 
-    if ((x != NULL) && (y != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (y != NULL) && (x != NULL)) {
         local_block_t block;
 
         result = (epochs < 0) ? FARRELL_TIGHTLY_COUPLED_COUNT : FARRELL_TIGHTLY_COUPLED_OK;

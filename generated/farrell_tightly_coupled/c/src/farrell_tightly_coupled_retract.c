@@ -191,7 +191,7 @@ FARRELL_TIGHTLY_COUPLED_NARROW farrell_tightly_coupled_status_t farrell_tightly_
 {
     farrell_tightly_coupled_status_t status = FARRELL_TIGHTLY_COUPLED_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL)) {
+    if ((value != NULL) && (d != NULL) && (x != NULL)) {
         retract_input_t in;
         retract_output_t out;
 
@@ -284,7 +284,7 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_retract_blocks(
 {
     farrell_tightly_coupled_status_t result = FARRELL_TIGHTLY_COUPLED_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (d != NULL) && (x != NULL)) {
         result = (epochs < 0) ? FARRELL_TIGHTLY_COUPLED_COUNT : FARRELL_TIGHTLY_COUPLED_OK;
         for (ptrdiff_t first = 0; first < epochs; first += FARRELL_TIGHTLY_COUPLED_RETRACT_LANES) {
             const ptrdiff_t rest = epochs - first;
@@ -330,7 +330,7 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_retract_batch(
 {
     farrell_tightly_coupled_status_t result = FARRELL_TIGHTLY_COUPLED_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (d != NULL) && (x != NULL)) {
         retract_block_t block;
 
         result = (epochs < 0) ? FARRELL_TIGHTLY_COUPLED_COUNT : FARRELL_TIGHTLY_COUPLED_OK;

@@ -172,7 +172,7 @@ NAVTK_SPECIFIC_FORCE_NARROW navtk_specific_force_status_t navtk_specific_force_r
 {
     navtk_specific_force_status_t status = NAVTK_SPECIFIC_FORCE_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL)) {
+    if ((value != NULL) && (d != NULL) && (x != NULL)) {
         retract_input_t in;
         retract_output_t out;
 
@@ -265,7 +265,7 @@ navtk_specific_force_status_t navtk_specific_force_retract_blocks(
 {
     navtk_specific_force_status_t result = NAVTK_SPECIFIC_FORCE_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (d != NULL) && (x != NULL)) {
         result = (epochs < 0) ? NAVTK_SPECIFIC_FORCE_COUNT : NAVTK_SPECIFIC_FORCE_OK;
         for (ptrdiff_t first = 0; first < epochs; first += NAVTK_SPECIFIC_FORCE_RETRACT_LANES) {
             const ptrdiff_t rest = epochs - first;
@@ -311,7 +311,7 @@ navtk_specific_force_status_t navtk_specific_force_retract_batch(
 {
     navtk_specific_force_status_t result = NAVTK_SPECIFIC_FORCE_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (d != NULL) && (x != NULL)) {
         retract_block_t block;
 
         result = (epochs < 0) ? NAVTK_SPECIFIC_FORCE_COUNT : NAVTK_SPECIFIC_FORCE_OK;

@@ -225,7 +225,7 @@ ROVER_NARROW rover_status_t rover_local(
 {
     rover_status_t status = ROVER_NULL;
 
-    if ((x != NULL) && (y != NULL) && (value != NULL)) {
+    if ((value != NULL) && (y != NULL) && (x != NULL)) {
         local_input_t in;
         local_output_t out;
 
@@ -315,7 +315,7 @@ rover_status_t rover_local_blocks(
 {
     rover_status_t result = ROVER_NULL;
 
-    if ((x != NULL) && (y != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (y != NULL) && (x != NULL)) {
         result = (epochs < 0) ? ROVER_COUNT : ROVER_OK;
         for (ptrdiff_t first = 0; first < epochs; first += ROVER_LOCAL_LANES) {
             const ptrdiff_t rest = epochs - first;
@@ -360,7 +360,7 @@ rover_status_t rover_local_batch(
 {
     rover_status_t result = ROVER_NULL;
 
-    if ((x != NULL) && (y != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (y != NULL) && (x != NULL)) {
         local_block_t block;
 
         result = (epochs < 0) ? ROVER_COUNT : ROVER_OK;

@@ -223,7 +223,7 @@ ROVER_NARROW rover_status_t rover_retract(
 {
     rover_status_t status = ROVER_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL)) {
+    if ((value != NULL) && (d != NULL) && (x != NULL)) {
         retract_input_t in;
         retract_output_t out;
 
@@ -313,7 +313,7 @@ rover_status_t rover_retract_blocks(
 {
     rover_status_t result = ROVER_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (d != NULL) && (x != NULL)) {
         result = (epochs < 0) ? ROVER_COUNT : ROVER_OK;
         for (ptrdiff_t first = 0; first < epochs; first += ROVER_RETRACT_LANES) {
             const ptrdiff_t rest = epochs - first;
@@ -359,7 +359,7 @@ rover_status_t rover_retract_batch(
 {
     rover_status_t result = ROVER_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (d != NULL) && (x != NULL)) {
         retract_block_t block;
 
         result = (epochs < 0) ? ROVER_COUNT : ROVER_OK;

@@ -85,7 +85,7 @@ SINGLE_POINT_NARROW single_point_status_t single_point_retract(
 {
     single_point_status_t status = SINGLE_POINT_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL)) {
+    if ((value != NULL) && (d != NULL) && (x != NULL)) {
         retract_input_t in;
         retract_output_t out;
 
@@ -177,7 +177,7 @@ single_point_status_t single_point_retract_blocks(
 {
     single_point_status_t result = SINGLE_POINT_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (d != NULL) && (x != NULL)) {
         result = (epochs < 0) ? SINGLE_POINT_COUNT : SINGLE_POINT_OK;
         for (ptrdiff_t first = 0; first < epochs; first += SINGLE_POINT_RETRACT_LANES) {
             const ptrdiff_t rest = epochs - first;
@@ -223,7 +223,7 @@ single_point_status_t single_point_retract_batch(
 {
     single_point_status_t result = SINGLE_POINT_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (d != NULL) && (x != NULL)) {
         retract_block_t block;
 
         result = (epochs < 0) ? SINGLE_POINT_COUNT : SINGLE_POINT_OK;

@@ -155,7 +155,7 @@ WARPOS_GPS_NARROW warpos_gps_status_t warpos_gps_local(
 {
     warpos_gps_status_t status = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (y != NULL) && (value != NULL)) {
+    if ((value != NULL) && (y != NULL) && (x != NULL)) {
         local_input_t in;
         local_output_t out;
 
@@ -246,7 +246,7 @@ warpos_gps_status_t warpos_gps_local_blocks(
 {
     warpos_gps_status_t result = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (y != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (y != NULL) && (x != NULL)) {
         result = (epochs < 0) ? WARPOS_GPS_COUNT : WARPOS_GPS_OK;
         for (ptrdiff_t first = 0; first < epochs; first += WARPOS_GPS_LOCAL_LANES) {
             const ptrdiff_t rest = epochs - first;
@@ -292,7 +292,7 @@ warpos_gps_status_t warpos_gps_local_batch(
 {
     warpos_gps_status_t result = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (y != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (y != NULL) && (x != NULL)) {
         local_block_t block;
 
         result = (epochs < 0) ? WARPOS_GPS_COUNT : WARPOS_GPS_OK;
