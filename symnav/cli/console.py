@@ -83,6 +83,20 @@ def _described(error: SymnavError | OSError) -> dict[str, Any]:
     return described
 
 
+def changes(folder: Path, paths: Sequence[str]) -> str:
+    """How many files were written and how many removed, in words.
+
+    Args:
+        folder: what the paths are relative to.
+        paths: of what was new, different or removed.
+    """
+    written = sum((folder / path).is_file() for path in paths)
+    removed = len(paths) - written
+    words = [f"{written} file{'' if written == 1 else 's'} written"]
+    words += [f"{removed} removed"] if removed else []
+    return ", ".join(words) if paths else "unchanged"
+
+
 def write_json(value: Mapping[str, Any]) -> None:
     """Writes one JSON object; numbers that JSON has no word for become strings."""
     click.echo(json.dumps(_plain(value), indent=2, allow_nan=False))

@@ -4,16 +4,26 @@ from __future__ import annotations
 
 import shlex
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
-from symnav.cli.console import Verb, progress, show_table, write_json
+from symnav.cli.console import Verb, changes, progress, show_table, write_json
 from symnav.errors import InputError, ProofError
 
 if TYPE_CHECKING:
     from symnav.export import Tolerance
     from symnav.export.proofs.proving import Proven
+
+
+class _Folder(click.Path):
+    """A folder that has a name: an empty word, as of a variable that is not set, means none."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Refuses the empty word, which would be the current folder."""
+        if value == "":
+            self.fail("the name is empty; give a folder, '.' for the current one.", param, ctx)
+        return super().convert(value, param, ctx)
 
 
 def _tolerance(_ctx: click.Context, _option: click.Parameter, words: tuple[str, ...]) -> Tolerance:
@@ -41,7 +51,7 @@ Examples:
 @click.option(
     "--to",
     "folder",
-    type=click.Path(path_type=Path, file_okay=False),
+    type=_Folder(path_type=Path, file_okay=False),
     required=True,
     metavar="DIR",
     help="Folder that becomes the bundle.",
@@ -117,8 +127,7 @@ def export(
         shown = {} if done.proven is None else done.proven.as_dict()
         write_json({"bundle": done.folder, "name": done.name, "trees": trees, **found, **shown})
         ctx.exit(ProofError.exit_code if failed else 0)
-    what = "unchanged" if done.unchanged else f"{len(done.written)} files written"
-    click.echo(f"{done.folder}: {what}")
+    click.echo(f"{done.folder}: {changes(done.folder, done.written)}")
     for prefix, kind, functions in done.trees:
         if functions:
             click.echo(f"  {prefix} ({kind}): {', '.join(functions)}")

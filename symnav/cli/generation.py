@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from symnav.cli.console import Verb, progress, without_collector, write_json
+from symnav.cli.console import Verb, changes, progress, without_collector, write_json
 from symnav.errors import HandEditedError, StaleError
 
 _EXIT_CODES = {"fresh": 0, "stale": StaleError.exit_code, "hand-edited": HandEditedError.exit_code}
@@ -52,7 +52,7 @@ def generate(spec: str, out: Path, force: bool, as_json: bool) -> None:
             }
         )
         return
-    what = "unchanged" if done.unchanged else f"{len(done.written)} files written"
+    what = changes(done.package, done.written)
     click.echo(f"{done.package}: {what} ({sum(done.seconds.values()):.1f} s)")
 
 

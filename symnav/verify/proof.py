@@ -23,7 +23,7 @@ from symnav.verify.manifold import prove_layout
 from symnav.verify.references import References, quantities
 from symnav.verify.sampling import Samples, draw
 from symnav.verify.scale import ScaleOf, Scales
-from symnav.verify.sheet import LIMITS, Finding, ProofSheet, Row, roundings
+from symnav.verify.sheet import LIMITS, Finding, ProofSheet, Row, roundings, underflow
 
 #: What references call the outputs that have another name here.
 _REFERENCE_NAMES = {"value_covariance": "covariance", "jacobian_fix": "noise_map"}
@@ -51,7 +51,7 @@ class _FunctionProof:
         rows: Indices,
     ) -> None:
         """Record |a - b| of one output, block by block of its columns."""
-        scale = scales.limited(LIMITS[comparison], roundings(comparison))
+        scale = scales.limited(LIMITS[comparison], roundings(comparison), underflow(comparison))
         if comparison.startswith("casadi"):
             # Automatic differentiation cancels terms of its own, as large as its largest result.
             scale = np.broadcast_to(

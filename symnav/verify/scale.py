@@ -32,15 +32,16 @@ class Scales:
     strict: Array
     full: Array
 
-    def limited(self, relative: float, roundings: float) -> Array:
+    def limited(self, relative: float, roundings: float, underflow: float) -> Array:
         """The scale at which ``relative`` is the limit.
 
         Args:
             relative: limit at the strict scale.
             roundings: allowed at the full scale, in absolute terms (such as 8 * 2^-52).
+            underflow: allowed at any scale, in the unit of the output.
         """
         scale: Array = np.maximum(self.strict, self.full * (roundings / relative))
-        return scale
+        return np.maximum(scale, underflow / relative)
 
     def at(self, rows: NDArray[np.intp]) -> Scales:
         """The scales of some samples."""

@@ -38,6 +38,14 @@ def roundings(comparison: str) -> float:
     return (64 if comparison.startswith("casadi") else 8) * 2.0**-52
 
 
+def underflow(comparison: str) -> float:
+    """What a comparison may be off in absolute terms, where numbers are too small for the type.
+
+    Eight of the smallest numbers the type has: a product below them is rounded to one or to zero.
+    """
+    return 8 * (2.0**-149 if comparison.startswith("float") else 2.0**-1074)
+
+
 @dataclass(frozen=True)
 class Row:
     """One comparison of one block of one output.

@@ -21,11 +21,7 @@ STRICT = (
     *("-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wconversion", "-Wsign-conversion"),
     *("-Wdouble-promotion", "-Wcast-qual", "-Wundef", "-Wfloat-equal", "-Werror"),
 )
-SANITIZE = (
-    "-fsanitize=address,undefined,float-cast-overflow",
-    "-fno-sanitize-recover=all",
-    "-Wno-pass-failed",
-)
+SANITIZE = ("-fsanitize=address,undefined,float-cast-overflow", "-fno-sanitize-recover=all")
 
 
 @dataclass(frozen=True)
@@ -71,7 +67,7 @@ class Host:
 HOSTS = {
     "gcc": Host(("gcc", *C99, *STRICT)),
     "gcc of this processor": Host(("gcc", *C99, "-O3", *NATIVE)),
-    "clang": Host(("clang-19", *C99, *STRICT, "-Wno-pass-failed")),
+    "clang": Host(("clang-19", *C99, *STRICT, "-Wpass-failed")),
     "tcc": Host(("tcc", "-std=c99")),
     "C++17": Host(
         ("g++", "-x", "c++", "-std=c++17", "-O2", "-ffp-contract=off", "-Wall", "-Werror")

@@ -65,6 +65,19 @@ def output_of(record: dict[str, Any], function: str, output: str) -> dict[str, A
     return dict(found[0])
 
 
+def test_guards_that_refuse_everything_are_named(tmp_path: Path) -> None:
+    """Of a vector too short for its direction, whatever it is inside its range."""
+    text = NARROW.replace("[-1000.0, 1000.0]", "[1e-30, 2e-30]")
+    text += '[[measurement]]\nname = "length"\nequation = ["norm(position)"]\n'
+    (tmp_path / "lander.toml").write_text(text)
+    words = ["export", str(tmp_path / "lander.toml"), "--to", str(tmp_path / "out")]
+    for scalar in ("double", "float"):
+        result = CliRunner().invoke(main, [*words, "--scalar", scalar])
+        assert result.exit_code == 2 and not (tmp_path / "out").exists()
+        assert "length: nothing inside the declared ranges" in result.output
+        assert "squared length in [1e-12, 1e+30]" in result.output
+
+
 def test_record_and_header_say_the_same(tmp_path: Path) -> None:
     record, header = exported("rover", tmp_path, "float")
     position = output_of(record, "rover_f32_gps", "value")

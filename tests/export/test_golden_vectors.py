@@ -17,6 +17,7 @@ from symnav.export.testing import program
 from symnav.export.testing.golden import ITEMS, Golden, golden
 from symnav.export.testing.tables import Tables, hexadecimal, short
 from symnav.export.testing.turns import turns
+from symnav.spec.loading import loads
 
 DOUBLE, FLOAT = ir.Scalar.DOUBLE, ir.Scalar.FLOAT
 
@@ -44,6 +45,41 @@ def test_a_wrong_sign_is_no_golden_vector() -> None:
         golden(spec, derivation, gps, scalar)
         with pytest.raises(ProofError, match=r"gps: element \d+ of jacobian .* fifty digits"):
             golden(spec, derivation, wrong, scalar)
+
+
+SMALL = """
+name = "small"
+[[state]]
+name = "p"
+kind = "vector"
+size = 3
+unit = "m"
+range = [1e-30, 2e-30]
+[[measurement]]
+name = "product"
+equation = ["{equation}"]
+"""
+
+
+def of_small_numbers(equation: str, scalar: ir.Scalar) -> Golden:
+    spec = loads(SMALL.format(equation=equation))
+    derived = pipeline.derive(spec)
+    (function,) = [f for f in pipeline.c_route(spec, derived) if f.name == "product"]
+    return golden(spec, derived.entries[0], function, scalar)
+
+
+def test_results_below_the_smallest_number_are_zero() -> None:
+    """Which is right to the last place a float has there; in double they are numbers."""
+    assert not of_small_numbers("dot(p, p)", FLOAT).outputs["value"].any()
+    assert of_small_numbers("dot(p, p)", DOUBLE).outputs["value"].all()
+
+
+def test_digits_lost_below_the_smallest_number_are_refused() -> None:
+    """Where a product is lost that the result is made of, with words that say why."""
+    said = r"^product: element 0 of value .* In float numbers below 1.2e-38 lose their digits"
+    with pytest.raises(ProofError, match=said):
+        of_small_numbers("dot(p, p) * 1e30", FLOAT)
+    assert of_small_numbers("dot(p, p) * 1e30", DOUBLE).outputs["value"].all()
 
 
 def test_every_branch_is_taken_and_turns_are_close() -> None:

@@ -19,6 +19,7 @@ from symnav.errors import BuildError
 from symnav.export.building.targets import FOLDER
 from symnav.export.runners import emulation
 from symnav.export.runners.emulation import TARGETS, Called, Emulated, Unit
+from tests.export.bundles import bundle_of
 
 MODELS = [name for name, _ in pipeline.shipped()]
 SUPPORT = directory() / "export" / FOLDER
@@ -231,6 +232,22 @@ def test_toolchain_file_for_cmake(cpu: str, tmp_path: Path) -> None:
                            capture_output=True, text=True, check=True).stdout  # fmt: skip
     assert {"cortex-m4": "v7E-M", "cortex-m7": "v7E-M"}[cpu] in about
     assert "Tag_ABI_VFP_args: VFP registers" in about
+
+
+@on_target
+@pytest.mark.skipif(shutil.which("cmake") is None, reason="needs cmake")
+@CPUS
+def test_the_bundle_itself_for_cmake(cpu: str, tmp_path: Path) -> None:
+    """Its own CMakeLists.txt brings the start-up code of its tests."""
+    folder = bundle_of("rover", "float")
+    toolchain = f"-DCMAKE_TOOLCHAIN_FILE={folder / FOLDER / 'toolchain-arm-none-eabi.cmake'}"
+    build = tmp_path / "build"
+    configure = ["cmake", "-S", str(folder), "-B", str(build), toolchain, f"-DSEMIHOST_CPU={cpu}"]
+    for command in (configure, ["cmake", "--build", str(build), "-j2"]):
+        subprocess.run(command, check=True, capture_output=True)
+    words = ["ctest", "--output-on-failure"]
+    done = subprocess.run(words, cwd=build, capture_output=True, text=True, check=False)
+    assert done.returncode == 0 and "100% tests passed" in done.stdout, done.stdout
 
 
 def record_of(unit: Unit, call: Called) -> Emulated:

@@ -34,6 +34,23 @@ def test_summary_says_what_was_written_and_what_is_next(tmp_path: Path) -> None:
     assert again[0] == f"{folder}: unchanged"
 
 
+def test_summary_tells_what_was_removed(tmp_path: Path) -> None:
+    folder = tmp_path / "bundle"
+    export("reference_relative", "--to", str(folder))
+    before = files(folder)
+    said = export("reference_relative", "--to", str(folder), "--scalar", "float").splitlines()[0]
+    after = files(folder)
+    changed = sum(before.get(path) != content for path, content in after.items())
+    assert said == f"{folder}: {changed} files written, {len(before.keys() - after.keys())} removed"
+
+
+def test_a_folder_has_a_name(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    result = CliRunner().invoke(main, ["export", "rover", "--to", ""])
+    assert result.exit_code == 2 and "the name is empty" in result.output
+    assert not any(tmp_path.iterdir())
+
+
 def test_json_says_the_same(tmp_path: Path) -> None:
     found = json.loads(export("rover", "--to", str(tmp_path / "r"), "--json"))
     assert found["bundle"] == str(tmp_path / "r") and found["name"] == "rover"

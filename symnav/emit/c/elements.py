@@ -106,4 +106,7 @@ def _wish(argument: ir.Argument, domain: ir.Domain, offset: int) -> str:
 
 
 def _stem(argument: ir.Argument, domain: ir.Domain) -> str:
-    return domain.name if argument.name == "x" or len(argument.domains) > 1 else argument.name
+    """Blocks by name; those of a second state or of an error behind the name of the argument."""
+    if argument.name == "x":
+        return domain.name
+    return f"{argument.name}_{domain.name}" if len(argument.domains) > 1 else argument.name

@@ -35,8 +35,12 @@ class EntryPoint:
 
     @property
     def pointers(self) -> str:
-        """Condition under which no pointer is null."""
-        names = [parameter.name for parameter in self.parameters if parameter.pointer]
+        """Condition under which no pointer is null.
+
+        From the last to the first: those that came on the stack are looked at and forgotten while
+        the registers of the first are full, which saves moves where registers are few.
+        """
+        names = [p.name for p in reversed(self.parameters) if p.pointer]
         if len(names) == 1:
             return f"{names[0]} != NULL"
         return " && ".join(f"({name} != NULL)" for name in names)

@@ -22,8 +22,6 @@ WARNINGS = (
     *("-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wconversion", "-Wsign-conversion"),
     *("-Wfloat-conversion", "-Wdouble-promotion", "-Wstrict-prototypes", "-Wmissing-prototypes"),
     *("-Wundef", "-Wcast-qual", "-Wcast-align", "-Wwrite-strings", "-Wvla", "-Werror"),
-    # Clang warns of a loop it does not vectorise, which is slower and not wrong.
-    "-Wno-pass-failed",
 )
 """What ``make check`` adds."""
 

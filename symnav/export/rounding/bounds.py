@@ -15,6 +15,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from symnav import ir
+from symnav.errors import InputError
 from symnav.export.rounding.cases import cases, followed, settle
 from symnav.export.rounding.evaluation import Assumptions, Evaluator
 from symnav.export.rounding.expressions import COMPARISONS, Graph, Node, Operation, trace
@@ -24,10 +25,26 @@ from symnav.export.rounding.structure import Structure
 
 
 def bounded(function: ir.Function, scalar: ir.Scalar) -> ir.Function:
-    """The function with the rounding of every entry of its outputs filled in."""
-    found = bounds(function, scalar)
+    """The function with the rounding of every entry of its outputs filled in.
+
+    Raises:
+        InputError: when no input inside the declared ranges passes the guards.
+    """
+    try:
+        found = bounds(function, scalar)
+    except Empty:
+        raise InputError(f"{function.name}: {_refuses_everything(function)}") from None
     outputs = tuple(replace(o, rounding=found[o.name]) for o in function.outputs)
     return replace(function, outputs=outputs)
+
+
+def _refuses_everything(function: ir.Function) -> str:
+    checks = [step for step in (*function.shared, *function.item) if isinstance(step, ir.Check)]
+    limits = dict.fromkeys(f"{c.comment} in [{c.lower:g}, {c.upper:g}]" for c in checks)
+    return (
+        "nothing inside the declared ranges of its inputs passes its guards "
+        f"({', '.join(limits)}); declare wider ranges or change the equation"
+    )
 
 
 def bounds(

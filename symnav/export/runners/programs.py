@@ -47,7 +47,7 @@ class Way:
 
 WAYS = (
     Way("gcc", ("gcc",), _C99),
-    Way("clang", ("clang-19", "clang"), (*_C99, "-Wno-pass-failed")),
+    Way("clang", ("clang-19", "clang"), _C99),
     Way("tcc", ("tcc",), ("-std=c99",)),
     Way("C++17", ("g++",), ("-x", "c++", "-std=c++17", "-O2", "-ffp-contract=off")),
     Way(

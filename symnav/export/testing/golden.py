@@ -37,7 +37,7 @@ from symnav.verify.comparison import differences, forget_remainders
 from symnav.verify.exact import DIGITS, Exact
 from symnav.verify.sampling import Samples, draw
 from symnav.verify.scale import ScaleOf
-from symnav.verify.sheet import LIMITS, roundings
+from symnav.verify.sheet import LIMITS, roundings, underflow
 
 SEED = 1
 #: Random and mixed samples to choose from; those of single edges come on top.
@@ -231,8 +231,8 @@ def _judge(
                     error = _turned_back(spec, derivation, error)
                 scale = scales[name].at(np.array([row], dtype=np.intp))
                 limit = LIMITS[comparison]
-                allowed = limit * scale.limited(limit, roundings(comparison)).ravel()
-                _refuse_far(function, name, row, np.abs(error), allowed)
+                room = scale.limited(limit, roundings(comparison), underflow(comparison))
+                _refuse_far(function, scalar, name, row, np.abs(error), limit * room.ravel())
 
 
 def _turned_back(spec: Spec, derivation: Derivation, error: NDArray[Any]) -> NDArray[Any]:
@@ -248,14 +248,23 @@ def _turned_back(spec: Spec, derivation: Derivation, error: NDArray[Any]) -> NDA
 
 
 def _refuse_far(
-    function: ir.Function, output: str, row: int, error: NDArray[Any], allowed: NDArray[Any]
+    function: ir.Function,
+    scalar: ir.Scalar,
+    output: str,
+    row: int,
+    error: NDArray[Any],
+    allowed: NDArray[Any],
 ) -> None:
     far = ~(error <= allowed)
     if far.any():
         k = int(np.argmax(far))
+        smallest = np.finfo(kind_of(scalar)).smallest_normal
         raise ProofError(
             f"{function.name}: element {k} of {output} of golden row {row} is {error[k]:.3g} from "
-            f"the equation evaluated with fifty digits; rounding explains {allowed[k]:.3g}"
+            f"the equation evaluated with fifty digits; rounding explains {allowed[k]:.3g}. In "
+            f"{scalar.value} numbers below {smallest:.1e} lose their digits, products of small "
+            "inputs among them: declare ranges that stay clear of that, in larger units if need "
+            "be, or export in double"
         )
 
 

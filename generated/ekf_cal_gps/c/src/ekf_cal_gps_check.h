@@ -46,7 +46,8 @@
 #endif
 
 /* Iterations of the loop that follows are independent of each other. */
-#if defined(__clang__)
+#if defined(__clang__) /* a loop that it runs one by one all the same is slower, not wrong */
+#pragma clang diagnostic ignored "-Wpass-failed"
 #define EKF_CAL_GPS_IVDEP _Pragma("clang loop vectorize(assume_safety)")
 #elif defined(__GNUC__)
 #define EKF_CAL_GPS_IVDEP _Pragma("GCC ivdep")

@@ -216,8 +216,8 @@ EKF_CAL_GPS_NARROW ekf_cal_gps_status_t ekf_cal_gps_gps(
 {
     ekf_cal_gps_status_t status = EKF_CAL_GPS_NULL;
 
-    if ((x != NULL) && (measured != NULL) && (value != NULL) && (residual != NULL) &&
-        (jacobian != NULL)) {
+    if ((jacobian != NULL) && (residual != NULL) && (value != NULL) && (measured != NULL) &&
+        (x != NULL)) {
         gps_input_t in;
         gps_output_t out;
 
@@ -242,7 +242,7 @@ EKF_CAL_GPS_NARROW ekf_cal_gps_status_t ekf_cal_gps_gps_value(
 {
     ekf_cal_gps_status_t status = EKF_CAL_GPS_NULL;
 
-    if ((x != NULL) && (measured != NULL) && (value != NULL) && (residual != NULL)) {
+    if ((residual != NULL) && (value != NULL) && (measured != NULL) && (x != NULL)) {
         gps_input_t in;
         gps_output_t out;
 
@@ -265,7 +265,7 @@ EKF_CAL_GPS_NARROW ekf_cal_gps_status_t ekf_cal_gps_gps_jacobian(
 {
     ekf_cal_gps_status_t status = EKF_CAL_GPS_NULL;
 
-    if ((x != NULL) && (measured != NULL) && (jacobian != NULL)) {
+    if ((jacobian != NULL) && (measured != NULL) && (x != NULL)) {
         gps_input_t in;
         gps_output_t out;
 
@@ -289,8 +289,8 @@ EKF_CAL_GPS_NARROW ekf_cal_gps_status_t ekf_cal_gps_gps_nz(
 {
     ekf_cal_gps_status_t status = EKF_CAL_GPS_NULL;
 
-    if ((x != NULL) && (measured != NULL) && (value != NULL) && (residual != NULL) &&
-        (jacobian_nz != NULL)) {
+    if ((jacobian_nz != NULL) && (residual != NULL) && (value != NULL) && (measured != NULL) &&
+        (x != NULL)) {
         gps_input_t in;
         gps_output_t out;
 
@@ -392,8 +392,8 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_blocks(
 {
     ekf_cal_gps_status_t result = EKF_CAL_GPS_NULL;
 
-    if ((x != NULL) && (measured != NULL) && (value != NULL) && (residual != NULL) &&
-        (jacobian_nz != NULL) && (status != NULL)) {
+    if ((status != NULL) && (jacobian_nz != NULL) && (residual != NULL) && (value != NULL) &&
+        (measured != NULL) && (x != NULL)) {
         result = (epochs < 0) ? EKF_CAL_GPS_COUNT : EKF_CAL_GPS_OK;
         for (ptrdiff_t first = 0; first < epochs; first += EKF_CAL_GPS_GPS_LANES) {
             const ptrdiff_t rest = epochs - first;
@@ -448,8 +448,8 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_batch(
 {
     ekf_cal_gps_status_t result = EKF_CAL_GPS_NULL;
 
-    if ((x != NULL) && (measured != NULL) && (value != NULL) && (residual != NULL) &&
-        (jacobian != NULL) && (status != NULL)) {
+    if ((status != NULL) && (jacobian != NULL) && (residual != NULL) && (value != NULL) &&
+        (measured != NULL) && (x != NULL)) {
         gps_block_t block;
 
         result = (epochs < 0) ? EKF_CAL_GPS_COUNT : EKF_CAL_GPS_OK;
@@ -492,8 +492,8 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_batch_nz(
 {
     ekf_cal_gps_status_t result = EKF_CAL_GPS_NULL;
 
-    if ((x != NULL) && (measured != NULL) && (value != NULL) && (residual != NULL) &&
-        (jacobian_nz != NULL) && (status != NULL)) {
+    if ((status != NULL) && (jacobian_nz != NULL) && (residual != NULL) && (value != NULL) &&
+        (measured != NULL) && (x != NULL)) {
         gps_block_t block;
 
         result = (epochs < 0) ? EKF_CAL_GPS_COUNT : EKF_CAL_GPS_OK;

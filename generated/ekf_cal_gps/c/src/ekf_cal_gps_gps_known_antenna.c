@@ -189,8 +189,8 @@ EKF_CAL_GPS_NARROW ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna(
 {
     ekf_cal_gps_status_t status = EKF_CAL_GPS_NULL;
 
-    if ((x != NULL) && (lever_arm != NULL) && (measured != NULL) && (value != NULL) &&
-        (residual != NULL) && (jacobian != NULL)) {
+    if ((jacobian != NULL) && (residual != NULL) && (value != NULL) && (measured != NULL) &&
+        (lever_arm != NULL) && (x != NULL)) {
         gps_known_antenna_input_t in;
         gps_known_antenna_output_t out;
 
@@ -216,8 +216,8 @@ EKF_CAL_GPS_NARROW ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_value(
 {
     ekf_cal_gps_status_t status = EKF_CAL_GPS_NULL;
 
-    if ((x != NULL) && (lever_arm != NULL) && (measured != NULL) && (value != NULL) &&
-        (residual != NULL)) {
+    if ((residual != NULL) && (value != NULL) && (measured != NULL) && (lever_arm != NULL) &&
+        (x != NULL)) {
         gps_known_antenna_input_t in;
         gps_known_antenna_output_t out;
 
@@ -241,7 +241,7 @@ EKF_CAL_GPS_NARROW ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_jacobian(
 {
     ekf_cal_gps_status_t status = EKF_CAL_GPS_NULL;
 
-    if ((x != NULL) && (lever_arm != NULL) && (measured != NULL) && (jacobian != NULL)) {
+    if ((jacobian != NULL) && (measured != NULL) && (lever_arm != NULL) && (x != NULL)) {
         gps_known_antenna_input_t in;
         gps_known_antenna_output_t out;
 
@@ -266,8 +266,8 @@ EKF_CAL_GPS_NARROW ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_nz(
 {
     ekf_cal_gps_status_t status = EKF_CAL_GPS_NULL;
 
-    if ((x != NULL) && (lever_arm != NULL) && (measured != NULL) && (value != NULL) &&
-        (residual != NULL) && (jacobian_nz != NULL)) {
+    if ((jacobian_nz != NULL) && (residual != NULL) && (value != NULL) && (measured != NULL) &&
+        (lever_arm != NULL) && (x != NULL)) {
         gps_known_antenna_input_t in;
         gps_known_antenna_output_t out;
 
@@ -377,8 +377,8 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_blocks(
 {
     ekf_cal_gps_status_t result = EKF_CAL_GPS_NULL;
 
-    if ((x != NULL) && (lever_arm != NULL) && (measured != NULL) && (value != NULL) &&
-        (residual != NULL) && (jacobian_nz != NULL) && (status != NULL)) {
+    if ((status != NULL) && (jacobian_nz != NULL) && (residual != NULL) && (value != NULL) &&
+        (measured != NULL) && (lever_arm != NULL) && (x != NULL)) {
         result = (epochs < 0) ? EKF_CAL_GPS_COUNT : EKF_CAL_GPS_OK;
         for (ptrdiff_t first = 0; first < epochs; first += EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES) {
             const ptrdiff_t rest = epochs - first;
@@ -439,8 +439,8 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_batch(
 {
     ekf_cal_gps_status_t result = EKF_CAL_GPS_NULL;
 
-    if ((x != NULL) && (lever_arm != NULL) && (measured != NULL) && (value != NULL) &&
-        (residual != NULL) && (jacobian != NULL) && (status != NULL)) {
+    if ((status != NULL) && (jacobian != NULL) && (residual != NULL) && (value != NULL) &&
+        (measured != NULL) && (lever_arm != NULL) && (x != NULL)) {
         gps_known_antenna_block_t block;
 
         result = (epochs < 0) ? EKF_CAL_GPS_COUNT : EKF_CAL_GPS_OK;
@@ -487,8 +487,8 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_batch_nz(
 {
     ekf_cal_gps_status_t result = EKF_CAL_GPS_NULL;
 
-    if ((x != NULL) && (lever_arm != NULL) && (measured != NULL) && (value != NULL) &&
-        (residual != NULL) && (jacobian_nz != NULL) && (status != NULL)) {
+    if ((status != NULL) && (jacobian_nz != NULL) && (residual != NULL) && (value != NULL) &&
+        (measured != NULL) && (lever_arm != NULL) && (x != NULL)) {
         gps_known_antenna_block_t block;
 
         result = (epochs < 0) ? EKF_CAL_GPS_COUNT : EKF_CAL_GPS_OK;

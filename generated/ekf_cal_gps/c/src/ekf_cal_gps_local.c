@@ -87,42 +87,42 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t local_load_lane(
     outside |= take_centred(x[21 * stride], 50.0, &in->antenna_z);
 
     /* position [m, in l] */
-    outside |= take_centred(y[0], 1000000.0, &in->position_x_2);
-    outside |= take_centred(y[stride], 1000000.0, &in->position_y_2);
-    outside |= take_centred(y[2 * stride], 1000000.0, &in->position_z_2);
+    outside |= take_centred(y[0], 1000000.0, &in->y_position_x);
+    outside |= take_centred(y[stride], 1000000.0, &in->y_position_y);
+    outside |= take_centred(y[2 * stride], 1000000.0, &in->y_position_z);
 
     /* velocity [m/s, in l] */
-    outside |= take_centred(y[3 * stride], 1000000000.0, &in->velocity_x_2);
-    outside |= take_centred(y[4 * stride], 1000000000.0, &in->velocity_y_2);
-    outside |= take_centred(y[5 * stride], 1000000000.0, &in->velocity_z_2);
+    outside |= take_centred(y[3 * stride], 1000000000.0, &in->y_velocity_x);
+    outside |= take_centred(y[4 * stride], 1000000000.0, &in->y_velocity_y);
+    outside |= take_centred(y[5 * stride], 1000000000.0, &in->y_velocity_z);
 
     /* acceleration [m/s^2, in l] */
-    outside |= take_centred(y[6 * stride], 1000000000.0, &in->acceleration_x_2);
-    outside |= take_centred(y[7 * stride], 1000000000.0, &in->acceleration_y_2);
-    outside |= take_centred(y[8 * stride], 1000000000.0, &in->acceleration_z_2);
+    outside |= take_centred(y[6 * stride], 1000000000.0, &in->y_acceleration_x);
+    outside |= take_centred(y[7 * stride], 1000000000.0, &in->y_acceleration_y);
+    outside |= take_centred(y[8 * stride], 1000000000.0, &in->y_acceleration_z);
 
     /* attitude [b -> l] */
-    outside |= take_centred(y[9 * stride], 1.00001, &in->attitude_w_2);
-    outside |= take_centred(y[10 * stride], 1.00001, &in->attitude_x_2);
-    outside |= take_centred(y[11 * stride], 1.00001, &in->attitude_y_2);
-    outside |= take_centred(y[12 * stride], 1.00001, &in->attitude_z_2);
-    skewed |= is_skewed_quaternion(in->attitude_w_2, in->attitude_x_2, in->attitude_y_2,
-        in->attitude_z_2, 1.0e-05);
+    outside |= take_centred(y[9 * stride], 1.00001, &in->y_attitude_w);
+    outside |= take_centred(y[10 * stride], 1.00001, &in->y_attitude_x);
+    outside |= take_centred(y[11 * stride], 1.00001, &in->y_attitude_y);
+    outside |= take_centred(y[12 * stride], 1.00001, &in->y_attitude_z);
+    skewed |= is_skewed_quaternion(in->y_attitude_w, in->y_attitude_x, in->y_attitude_y,
+        in->y_attitude_z, 1.0e-05);
 
     /* angular_rate [rad/s, in l] */
-    outside |= take_centred(y[13 * stride], 1000000000.0, &in->angular_rate_x_2);
-    outside |= take_centred(y[14 * stride], 1000000000.0, &in->angular_rate_y_2);
-    outside |= take_centred(y[15 * stride], 1000000000.0, &in->angular_rate_z_2);
+    outside |= take_centred(y[13 * stride], 1000000000.0, &in->y_angular_rate_x);
+    outside |= take_centred(y[14 * stride], 1000000000.0, &in->y_angular_rate_y);
+    outside |= take_centred(y[15 * stride], 1000000000.0, &in->y_angular_rate_z);
 
     /* angular_acceleration [rad/s^2, in l] */
-    outside |= take_centred(y[16 * stride], 1000000000.0, &in->angular_acceleration_x_2);
-    outside |= take_centred(y[17 * stride], 1000000000.0, &in->angular_acceleration_y_2);
-    outside |= take_centred(y[18 * stride], 1000000000.0, &in->angular_acceleration_z_2);
+    outside |= take_centred(y[16 * stride], 1000000000.0, &in->y_angular_acceleration_x);
+    outside |= take_centred(y[17 * stride], 1000000000.0, &in->y_angular_acceleration_y);
+    outside |= take_centred(y[18 * stride], 1000000000.0, &in->y_angular_acceleration_z);
 
     /* antenna [m, in b] */
-    outside |= take_centred(y[19 * stride], 50.0, &in->antenna_x_2);
-    outside |= take_centred(y[20 * stride], 50.0, &in->antenna_y_2);
-    outside |= take_centred(y[21 * stride], 50.0, &in->antenna_z_2);
+    outside |= take_centred(y[19 * stride], 50.0, &in->y_antenna_x);
+    outside |= take_centred(y[20 * stride], 50.0, &in->y_antenna_y);
+    outside |= take_centred(y[21 * stride], 50.0, &in->y_antenna_z);
 
     return ((ekf_cal_gps_flag_t)EKF_CAL_GPS_RANGE * outside) +
         ((ekf_cal_gps_flag_t)EKF_CAL_GPS_QNORM * (skewed & ~outside));
@@ -157,28 +157,28 @@ EKF_CAL_GPS_INLINE void local_copy(
     in->antenna_x = x[19 * stride];
     in->antenna_y = x[20 * stride];
     in->antenna_z = x[21 * stride];
-    in->position_x_2 = y[0];
-    in->position_y_2 = y[stride];
-    in->position_z_2 = y[2 * stride];
-    in->velocity_x_2 = y[3 * stride];
-    in->velocity_y_2 = y[4 * stride];
-    in->velocity_z_2 = y[5 * stride];
-    in->acceleration_x_2 = y[6 * stride];
-    in->acceleration_y_2 = y[7 * stride];
-    in->acceleration_z_2 = y[8 * stride];
-    in->attitude_w_2 = y[9 * stride];
-    in->attitude_x_2 = y[10 * stride];
-    in->attitude_y_2 = y[11 * stride];
-    in->attitude_z_2 = y[12 * stride];
-    in->angular_rate_x_2 = y[13 * stride];
-    in->angular_rate_y_2 = y[14 * stride];
-    in->angular_rate_z_2 = y[15 * stride];
-    in->angular_acceleration_x_2 = y[16 * stride];
-    in->angular_acceleration_y_2 = y[17 * stride];
-    in->angular_acceleration_z_2 = y[18 * stride];
-    in->antenna_x_2 = y[19 * stride];
-    in->antenna_y_2 = y[20 * stride];
-    in->antenna_z_2 = y[21 * stride];
+    in->y_position_x = y[0];
+    in->y_position_y = y[stride];
+    in->y_position_z = y[2 * stride];
+    in->y_velocity_x = y[3 * stride];
+    in->y_velocity_y = y[4 * stride];
+    in->y_velocity_z = y[5 * stride];
+    in->y_acceleration_x = y[6 * stride];
+    in->y_acceleration_y = y[7 * stride];
+    in->y_acceleration_z = y[8 * stride];
+    in->y_attitude_w = y[9 * stride];
+    in->y_attitude_x = y[10 * stride];
+    in->y_attitude_y = y[11 * stride];
+    in->y_attitude_z = y[12 * stride];
+    in->y_angular_rate_x = y[13 * stride];
+    in->y_angular_rate_y = y[14 * stride];
+    in->y_angular_rate_z = y[15 * stride];
+    in->y_angular_acceleration_x = y[16 * stride];
+    in->y_angular_acceleration_y = y[17 * stride];
+    in->y_angular_acceleration_z = y[18 * stride];
+    in->y_antenna_x = y[19 * stride];
+    in->y_antenna_y = y[20 * stride];
+    in->y_antenna_z = y[21 * stride];
 }
 
 /* Store value in full, structural zeros included. */
@@ -217,7 +217,7 @@ EKF_CAL_GPS_NARROW ekf_cal_gps_status_t ekf_cal_gps_local(
 {
     ekf_cal_gps_status_t status = EKF_CAL_GPS_NULL;
 
-    if ((x != NULL) && (y != NULL) && (value != NULL)) {
+    if ((value != NULL) && (y != NULL) && (x != NULL)) {
         local_input_t in;
         local_output_t out;
 
@@ -308,7 +308,7 @@ ekf_cal_gps_status_t ekf_cal_gps_local_blocks(
 {
     ekf_cal_gps_status_t result = EKF_CAL_GPS_NULL;
 
-    if ((x != NULL) && (y != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (y != NULL) && (x != NULL)) {
         result = (epochs < 0) ? EKF_CAL_GPS_COUNT : EKF_CAL_GPS_OK;
         for (ptrdiff_t first = 0; first < epochs; first += EKF_CAL_GPS_LOCAL_LANES) {
             const ptrdiff_t rest = epochs - first;
@@ -354,7 +354,7 @@ ekf_cal_gps_status_t ekf_cal_gps_local_batch(
 {
     ekf_cal_gps_status_t result = EKF_CAL_GPS_NULL;
 
-    if ((x != NULL) && (y != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (y != NULL) && (x != NULL)) {
         local_block_t block;
 
         result = (epochs < 0) ? EKF_CAL_GPS_COUNT : EKF_CAL_GPS_OK;

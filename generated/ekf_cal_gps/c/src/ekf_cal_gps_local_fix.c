@@ -175,8 +175,8 @@ EKF_CAL_GPS_NARROW ekf_cal_gps_status_t ekf_cal_gps_local_fix(
 {
     ekf_cal_gps_status_t status = EKF_CAL_GPS_NULL;
 
-    if ((heading != NULL) && (fix != NULL) && (reference_2 != NULL) && (covariance_2 != NULL) &&
-        (value != NULL) && (jacobian_fix != NULL) && (value_covariance != NULL)) {
+    if ((value_covariance != NULL) && (jacobian_fix != NULL) && (value != NULL) &&
+        (covariance_2 != NULL) && (reference_2 != NULL) && (fix != NULL) && (heading != NULL)) {
         local_fix_input_t in;
         local_fix_output_t out;
 
@@ -203,8 +203,8 @@ EKF_CAL_GPS_NARROW ekf_cal_gps_status_t ekf_cal_gps_local_fix_value(
 {
     ekf_cal_gps_status_t status = EKF_CAL_GPS_NULL;
 
-    if ((heading != NULL) && (fix != NULL) && (reference_2 != NULL) && (covariance_2 != NULL) &&
-        (value != NULL) && (value_covariance != NULL)) {
+    if ((value_covariance != NULL) && (value != NULL) && (covariance_2 != NULL) &&
+        (reference_2 != NULL) && (fix != NULL) && (heading != NULL)) {
         local_fix_input_t in;
         local_fix_output_t out;
 
@@ -229,8 +229,8 @@ EKF_CAL_GPS_NARROW ekf_cal_gps_status_t ekf_cal_gps_local_fix_jacobian(
 {
     ekf_cal_gps_status_t status = EKF_CAL_GPS_NULL;
 
-    if ((heading != NULL) && (fix != NULL) && (reference_2 != NULL) && (covariance_2 != NULL) &&
-        (jacobian_fix != NULL)) {
+    if ((jacobian_fix != NULL) && (covariance_2 != NULL) && (reference_2 != NULL) &&
+        (fix != NULL) && (heading != NULL)) {
         local_fix_input_t in;
         local_fix_output_t out;
 
@@ -256,8 +256,8 @@ EKF_CAL_GPS_NARROW ekf_cal_gps_status_t ekf_cal_gps_local_fix_nz(
 {
     ekf_cal_gps_status_t status = EKF_CAL_GPS_NULL;
 
-    if ((heading != NULL) && (fix != NULL) && (reference_2 != NULL) && (covariance_2 != NULL) &&
-        (value != NULL) && (jacobian_fix_nz != NULL) && (value_covariance != NULL)) {
+    if ((value_covariance != NULL) && (jacobian_fix_nz != NULL) && (value != NULL) &&
+        (covariance_2 != NULL) && (reference_2 != NULL) && (fix != NULL) && (heading != NULL)) {
         local_fix_input_t in;
         local_fix_output_t out;
 
@@ -372,9 +372,9 @@ ekf_cal_gps_status_t ekf_cal_gps_local_fix_blocks(
 {
     ekf_cal_gps_status_t result = EKF_CAL_GPS_NULL;
 
-    if ((heading != NULL) && (fix != NULL) && (reference_2 != NULL) && (covariance_2 != NULL) &&
-        (value != NULL) && (jacobian_fix_nz != NULL) && (value_covariance != NULL) &&
-        (status != NULL)) {
+    if ((status != NULL) && (value_covariance != NULL) && (jacobian_fix_nz != NULL) &&
+        (value != NULL) && (covariance_2 != NULL) && (reference_2 != NULL) && (fix != NULL) &&
+        (heading != NULL)) {
         result = (epochs < 0) ? EKF_CAL_GPS_COUNT : EKF_CAL_GPS_OK;
         for (ptrdiff_t first = 0; first < epochs; first += EKF_CAL_GPS_LOCAL_FIX_LANES) {
             const ptrdiff_t rest = epochs - first;
@@ -440,9 +440,9 @@ ekf_cal_gps_status_t ekf_cal_gps_local_fix_batch(
 {
     ekf_cal_gps_status_t result = EKF_CAL_GPS_NULL;
 
-    if ((heading != NULL) && (fix != NULL) && (reference_2 != NULL) && (covariance_2 != NULL) &&
-        (value != NULL) && (jacobian_fix != NULL) && (value_covariance != NULL) && (status != NULL))
-        {
+    if ((status != NULL) && (value_covariance != NULL) && (jacobian_fix != NULL) &&
+        (value != NULL) && (covariance_2 != NULL) && (reference_2 != NULL) && (fix != NULL) &&
+        (heading != NULL)) {
         local_fix_block_t block;
 
         result = (epochs < 0) ? EKF_CAL_GPS_COUNT : EKF_CAL_GPS_OK;
@@ -492,9 +492,9 @@ ekf_cal_gps_status_t ekf_cal_gps_local_fix_batch_nz(
 {
     ekf_cal_gps_status_t result = EKF_CAL_GPS_NULL;
 
-    if ((heading != NULL) && (fix != NULL) && (reference_2 != NULL) && (covariance_2 != NULL) &&
-        (value != NULL) && (jacobian_fix_nz != NULL) && (value_covariance != NULL) &&
-        (status != NULL)) {
+    if ((status != NULL) && (value_covariance != NULL) && (jacobian_fix_nz != NULL) &&
+        (value != NULL) && (covariance_2 != NULL) && (reference_2 != NULL) && (fix != NULL) &&
+        (heading != NULL)) {
         local_fix_block_t block;
 
         result = (epochs < 0) ? EKF_CAL_GPS_COUNT : EKF_CAL_GPS_OK;

@@ -36,27 +36,27 @@ typedef struct {
     ekf_cal_gps_real_t antenna_x;  /* m, in b */
     ekf_cal_gps_real_t antenna_y;  /* m, in b */
     ekf_cal_gps_real_t antenna_z;  /* m, in b */
-    ekf_cal_gps_real_t position_x_2;  /* m, in l */
-    ekf_cal_gps_real_t position_y_2;  /* m, in l */
-    ekf_cal_gps_real_t position_z_2;  /* m, in l */
-    ekf_cal_gps_real_t velocity_x_2;  /* m/s, in l */
-    ekf_cal_gps_real_t velocity_y_2;  /* m/s, in l */
-    ekf_cal_gps_real_t velocity_z_2;  /* m/s, in l */
-    ekf_cal_gps_real_t acceleration_x_2;  /* m/s^2, in l */
-    ekf_cal_gps_real_t acceleration_y_2;  /* m/s^2, in l */
-    ekf_cal_gps_real_t acceleration_z_2;  /* m/s^2, in l */
-    ekf_cal_gps_real_t attitude_x_2;  /* rad, in b */
-    ekf_cal_gps_real_t attitude_y_2;  /* rad, in b */
-    ekf_cal_gps_real_t attitude_z_2;  /* rad, in b */
-    ekf_cal_gps_real_t angular_rate_x_2;  /* rad/s, in l */
-    ekf_cal_gps_real_t angular_rate_y_2;  /* rad/s, in l */
-    ekf_cal_gps_real_t angular_rate_z_2;  /* rad/s, in l */
-    ekf_cal_gps_real_t angular_acceleration_x_2;  /* rad/s^2, in l */
-    ekf_cal_gps_real_t angular_acceleration_y_2;  /* rad/s^2, in l */
-    ekf_cal_gps_real_t angular_acceleration_z_2;  /* rad/s^2, in l */
-    ekf_cal_gps_real_t antenna_x_2;  /* m, in b */
-    ekf_cal_gps_real_t antenna_y_2;  /* m, in b */
-    ekf_cal_gps_real_t antenna_z_2;  /* m, in b */
+    ekf_cal_gps_real_t d_position_x;  /* m, in l */
+    ekf_cal_gps_real_t d_position_y;  /* m, in l */
+    ekf_cal_gps_real_t d_position_z;  /* m, in l */
+    ekf_cal_gps_real_t d_velocity_x;  /* m/s, in l */
+    ekf_cal_gps_real_t d_velocity_y;  /* m/s, in l */
+    ekf_cal_gps_real_t d_velocity_z;  /* m/s, in l */
+    ekf_cal_gps_real_t d_acceleration_x;  /* m/s^2, in l */
+    ekf_cal_gps_real_t d_acceleration_y;  /* m/s^2, in l */
+    ekf_cal_gps_real_t d_acceleration_z;  /* m/s^2, in l */
+    ekf_cal_gps_real_t d_attitude_x;  /* rad, in b */
+    ekf_cal_gps_real_t d_attitude_y;  /* rad, in b */
+    ekf_cal_gps_real_t d_attitude_z;  /* rad, in b */
+    ekf_cal_gps_real_t d_angular_rate_x;  /* rad/s, in l */
+    ekf_cal_gps_real_t d_angular_rate_y;  /* rad/s, in l */
+    ekf_cal_gps_real_t d_angular_rate_z;  /* rad/s, in l */
+    ekf_cal_gps_real_t d_angular_acceleration_x;  /* rad/s^2, in l */
+    ekf_cal_gps_real_t d_angular_acceleration_y;  /* rad/s^2, in l */
+    ekf_cal_gps_real_t d_angular_acceleration_z;  /* rad/s^2, in l */
+    ekf_cal_gps_real_t d_antenna_x;  /* m, in b */
+    ekf_cal_gps_real_t d_antenna_y;  /* m, in b */
+    ekf_cal_gps_real_t d_antenna_z;  /* m, in b */
 } retract_input_t;
 
 /** Structural non-zeros of the results of ekf_cal_gps_retract. */
@@ -109,39 +109,39 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t retract_load(
     in->antenna_z = x[21];
 
     /* position [m, in l] */
-    in->position_x_2 = d[0];
-    in->position_y_2 = d[1];
-    in->position_z_2 = d[2];
+    in->d_position_x = d[0];
+    in->d_position_y = d[1];
+    in->d_position_z = d[2];
 
     /* velocity [m/s, in l] */
-    in->velocity_x_2 = d[3];
-    in->velocity_y_2 = d[4];
-    in->velocity_z_2 = d[5];
+    in->d_velocity_x = d[3];
+    in->d_velocity_y = d[4];
+    in->d_velocity_z = d[5];
 
     /* acceleration [m/s^2, in l] */
-    in->acceleration_x_2 = d[6];
-    in->acceleration_y_2 = d[7];
-    in->acceleration_z_2 = d[8];
+    in->d_acceleration_x = d[6];
+    in->d_acceleration_y = d[7];
+    in->d_acceleration_z = d[8];
 
     /* attitude [rad, in b] */
-    in->attitude_x_2 = d[9];
-    in->attitude_y_2 = d[10];
-    in->attitude_z_2 = d[11];
+    in->d_attitude_x = d[9];
+    in->d_attitude_y = d[10];
+    in->d_attitude_z = d[11];
 
     /* angular_rate [rad/s, in l] */
-    in->angular_rate_x_2 = d[12];
-    in->angular_rate_y_2 = d[13];
-    in->angular_rate_z_2 = d[14];
+    in->d_angular_rate_x = d[12];
+    in->d_angular_rate_y = d[13];
+    in->d_angular_rate_z = d[14];
 
     /* angular_acceleration [rad/s^2, in l] */
-    in->angular_acceleration_x_2 = d[15];
-    in->angular_acceleration_y_2 = d[16];
-    in->angular_acceleration_z_2 = d[17];
+    in->d_angular_acceleration_x = d[15];
+    in->d_angular_acceleration_y = d[16];
+    in->d_angular_acceleration_z = d[17];
 
     /* antenna [m, in b] */
-    in->antenna_x_2 = d[18];
-    in->antenna_y_2 = d[19];
-    in->antenna_z_2 = d[20];
+    in->d_antenna_x = d[18];
+    in->d_antenna_y = d[19];
+    in->d_antenna_z = d[20];
 
     bool inside = are_three_centred(in->position_x, in->position_y, in->position_z, 1000000.0);
     inside = inside &&
@@ -156,18 +156,18 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t retract_load(
         in->angular_acceleration_z, 1000000000.0);
     inside = inside && are_three_centred(in->antenna_x, in->antenna_y, in->antenna_z, 50.0);
     inside = inside &&
-        are_three_centred(in->position_x_2, in->position_y_2, in->position_z_2, 1000000000.0);
+        are_three_centred(in->d_position_x, in->d_position_y, in->d_position_z, 1000000000.0);
     inside = inside &&
-        are_three_centred(in->velocity_x_2, in->velocity_y_2, in->velocity_z_2, 1000000000.0);
-    inside = inside && are_three_centred(in->acceleration_x_2, in->acceleration_y_2,
-        in->acceleration_z_2, 1000000000.0);
-    inside = inside && are_three_centred(in->attitude_x_2, in->attitude_y_2, in->attitude_z_2, 6.0);
-    inside = inside && are_three_centred(in->angular_rate_x_2, in->angular_rate_y_2,
-        in->angular_rate_z_2, 1000000000.0);
-    inside = inside && are_three_centred(in->angular_acceleration_x_2, in->angular_acceleration_y_2,
-        in->angular_acceleration_z_2, 1000000000.0);
+        are_three_centred(in->d_velocity_x, in->d_velocity_y, in->d_velocity_z, 1000000000.0);
+    inside = inside && are_three_centred(in->d_acceleration_x, in->d_acceleration_y,
+        in->d_acceleration_z, 1000000000.0);
+    inside = inside && are_three_centred(in->d_attitude_x, in->d_attitude_y, in->d_attitude_z, 6.0);
+    inside = inside && are_three_centred(in->d_angular_rate_x, in->d_angular_rate_y,
+        in->d_angular_rate_z, 1000000000.0);
+    inside = inside && are_three_centred(in->d_angular_acceleration_x, in->d_angular_acceleration_y,
+        in->d_angular_acceleration_z, 1000000000.0);
     inside = inside &&
-        are_three_centred(in->antenna_x_2, in->antenna_y_2, in->antenna_z_2, 1000000000.0);
+        are_three_centred(in->d_antenna_x, in->d_antenna_y, in->d_antenna_z, 1000000000.0);
 
     skewed |= is_skewed_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z,
         1.0e-05);
@@ -181,8 +181,8 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t retract_load(
 EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t
     retract_kernel(const retract_input_t *in, retract_output_t *out)
 {
-    const ekf_cal_gps_real_t attitude_exp_angle_squared = (in->attitude_x_2 * in->attitude_x_2) +
-        (in->attitude_y_2 * in->attitude_y_2) + (in->attitude_z_2 * in->attitude_z_2);
+    const ekf_cal_gps_real_t attitude_exp_angle_squared = (in->d_attitude_x * in->d_attitude_x) +
+        (in->d_attitude_y * in->d_attitude_y) + (in->d_attitude_z * in->d_attitude_z);
     const ekf_cal_gps_real_t attitude_exp_safe_squared = (attitude_exp_angle_squared < 0.01) ? 1.0 :
         attitude_exp_angle_squared;
     const ekf_cal_gps_real_t attitude_exp_angle = sqrt(attitude_exp_safe_squared);
@@ -203,19 +203,19 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t
         attitude_exp_near_cosine : attitude_exp_far_cosine;
     const ekf_cal_gps_real_t attitude_exp_sinc = (attitude_exp_angle_squared < 0.01) ?
         attitude_exp_near_sinc : attitude_exp_far_sinc;
-    const ekf_cal_gps_real_t attitude_step_x = attitude_exp_sinc * in->attitude_x_2;
-    const ekf_cal_gps_real_t attitude_step_y = attitude_exp_sinc * in->attitude_y_2;
-    const ekf_cal_gps_real_t attitude_step_z = attitude_exp_sinc * in->attitude_z_2;
+    const ekf_cal_gps_real_t attitude_step_x = attitude_exp_sinc * in->d_attitude_x;
+    const ekf_cal_gps_real_t attitude_step_y = attitude_exp_sinc * in->d_attitude_y;
+    const ekf_cal_gps_real_t attitude_step_z = attitude_exp_sinc * in->d_attitude_z;
 
-    out->value[0] = in->position_x_2 + in->position_x;  /* position x */
-    out->value[1] = in->position_y_2 + in->position_y;  /* position y */
-    out->value[2] = in->position_z_2 + in->position_z;  /* position z */
-    out->value[3] = in->velocity_x_2 + in->velocity_x;  /* velocity x */
-    out->value[4] = in->velocity_y_2 + in->velocity_y;  /* velocity y */
-    out->value[5] = in->velocity_z_2 + in->velocity_z;  /* velocity z */
-    out->value[6] = in->acceleration_x + in->acceleration_x_2;  /* acceleration x */
-    out->value[7] = in->acceleration_y + in->acceleration_y_2;  /* acceleration y */
-    out->value[8] = in->acceleration_z + in->acceleration_z_2;  /* acceleration z */
+    out->value[0] = in->d_position_x + in->position_x;  /* position x */
+    out->value[1] = in->d_position_y + in->position_y;  /* position y */
+    out->value[2] = in->d_position_z + in->position_z;  /* position z */
+    out->value[3] = in->d_velocity_x + in->velocity_x;  /* velocity x */
+    out->value[4] = in->d_velocity_y + in->velocity_y;  /* velocity y */
+    out->value[5] = in->d_velocity_z + in->velocity_z;  /* velocity z */
+    out->value[6] = in->acceleration_x + in->d_acceleration_x;  /* acceleration x */
+    out->value[7] = in->acceleration_y + in->d_acceleration_y;  /* acceleration y */
+    out->value[8] = in->acceleration_z + in->d_acceleration_z;  /* acceleration z */
     /* attitude w */
     out->value[9] = (attitude_exp_cosine * in->attitude_w) - (attitude_step_x * in->attitude_x) -
         ((attitude_step_y * in->attitude_y) + (attitude_step_z * in->attitude_z));
@@ -228,18 +228,18 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t
     /* attitude z */
     out->value[12] = (attitude_exp_cosine * in->attitude_z) + (attitude_step_y * in->attitude_x) +
         ((attitude_step_z * in->attitude_w) - (attitude_step_x * in->attitude_y));
-    out->value[13] = in->angular_rate_x + in->angular_rate_x_2;  /* angular_rate x */
-    out->value[14] = in->angular_rate_y + in->angular_rate_y_2;  /* angular_rate y */
-    out->value[15] = in->angular_rate_z + in->angular_rate_z_2;  /* angular_rate z */
+    out->value[13] = in->angular_rate_x + in->d_angular_rate_x;  /* angular_rate x */
+    out->value[14] = in->angular_rate_y + in->d_angular_rate_y;  /* angular_rate y */
+    out->value[15] = in->angular_rate_z + in->d_angular_rate_z;  /* angular_rate z */
     /* angular_acceleration x */
-    out->value[16] = in->angular_acceleration_x + in->angular_acceleration_x_2;
+    out->value[16] = in->angular_acceleration_x + in->d_angular_acceleration_x;
     /* angular_acceleration y */
-    out->value[17] = in->angular_acceleration_y + in->angular_acceleration_y_2;
+    out->value[17] = in->angular_acceleration_y + in->d_angular_acceleration_y;
     /* angular_acceleration z */
-    out->value[18] = in->angular_acceleration_z + in->angular_acceleration_z_2;
-    out->value[19] = in->antenna_x + in->antenna_x_2;  /* antenna x */
-    out->value[20] = in->antenna_y + in->antenna_y_2;  /* antenna y */
-    out->value[21] = in->antenna_z + in->antenna_z_2;  /* antenna z */
+    out->value[18] = in->angular_acceleration_z + in->d_angular_acceleration_z;
+    out->value[19] = in->antenna_x + in->d_antenna_x;  /* antenna x */
+    out->value[20] = in->antenna_y + in->d_antenna_y;  /* antenna y */
+    out->value[21] = in->antenna_z + in->d_antenna_z;  /* antenna z */
 
     return (ekf_cal_gps_flag_t)EKF_CAL_GPS_OK;
 }

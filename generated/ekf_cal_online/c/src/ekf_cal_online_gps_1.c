@@ -281,8 +281,8 @@ EKF_CAL_ONLINE_NARROW ekf_cal_online_status_t ekf_cal_online_gps_1(
 {
     ekf_cal_online_status_t status = EKF_CAL_ONLINE_NULL;
 
-    if ((x != NULL) && (origin != NULL) && (measured != NULL) && (value != NULL) &&
-        (residual != NULL) && (jacobian != NULL) && (jacobian_origin != NULL)) {
+    if ((jacobian_origin != NULL) && (jacobian != NULL) && (residual != NULL) && (value != NULL) &&
+        (measured != NULL) && (origin != NULL) && (x != NULL)) {
         gps_1_input_t in;
         gps_1_output_t out;
 
@@ -309,8 +309,8 @@ EKF_CAL_ONLINE_NARROW ekf_cal_online_status_t ekf_cal_online_gps_1_value(
 {
     ekf_cal_online_status_t status = EKF_CAL_ONLINE_NULL;
 
-    if ((x != NULL) && (origin != NULL) && (measured != NULL) && (value != NULL) &&
-        (residual != NULL)) {
+    if ((residual != NULL) && (value != NULL) && (measured != NULL) && (origin != NULL) &&
+        (x != NULL)) {
         gps_1_input_t in;
         gps_1_output_t out;
 
@@ -335,8 +335,8 @@ EKF_CAL_ONLINE_NARROW ekf_cal_online_status_t ekf_cal_online_gps_1_jacobian(
 {
     ekf_cal_online_status_t status = EKF_CAL_ONLINE_NULL;
 
-    if ((x != NULL) && (origin != NULL) && (measured != NULL) && (jacobian != NULL) &&
-        (jacobian_origin != NULL)) {
+    if ((jacobian_origin != NULL) && (jacobian != NULL) && (measured != NULL) && (origin != NULL) &&
+        (x != NULL)) {
         gps_1_input_t in;
         gps_1_output_t out;
 
@@ -363,8 +363,8 @@ EKF_CAL_ONLINE_NARROW ekf_cal_online_status_t ekf_cal_online_gps_1_nz(
 {
     ekf_cal_online_status_t status = EKF_CAL_ONLINE_NULL;
 
-    if ((x != NULL) && (origin != NULL) && (measured != NULL) && (value != NULL) &&
-        (residual != NULL) && (jacobian_nz != NULL) && (jacobian_origin_nz != NULL)) {
+    if ((jacobian_origin_nz != NULL) && (jacobian_nz != NULL) && (residual != NULL) &&
+        (value != NULL) && (measured != NULL) && (origin != NULL) && (x != NULL)) {
         gps_1_input_t in;
         gps_1_output_t out;
 
@@ -478,9 +478,9 @@ ekf_cal_online_status_t ekf_cal_online_gps_1_blocks(
 {
     ekf_cal_online_status_t result = EKF_CAL_ONLINE_NULL;
 
-    if ((x != NULL) && (origin != NULL) && (measured != NULL) && (value != NULL) &&
-        (residual != NULL) && (jacobian_nz != NULL) && (jacobian_origin_nz != NULL) &&
-        (status != NULL)) {
+    if ((status != NULL) && (jacobian_origin_nz != NULL) && (jacobian_nz != NULL) &&
+        (residual != NULL) && (value != NULL) && (measured != NULL) && (origin != NULL) &&
+        (x != NULL)) {
         result = (epochs < 0) ? EKF_CAL_ONLINE_COUNT : EKF_CAL_ONLINE_OK;
         for (ptrdiff_t first = 0; first < epochs; first += EKF_CAL_ONLINE_GPS_1_LANES) {
             const ptrdiff_t rest = epochs - first;
@@ -543,8 +543,8 @@ ekf_cal_online_status_t ekf_cal_online_gps_1_batch(
 {
     ekf_cal_online_status_t result = EKF_CAL_ONLINE_NULL;
 
-    if ((x != NULL) && (origin != NULL) && (measured != NULL) && (value != NULL) &&
-        (residual != NULL) && (jacobian != NULL) && (jacobian_origin != NULL) && (status != NULL)) {
+    if ((status != NULL) && (jacobian_origin != NULL) && (jacobian != NULL) && (residual != NULL) &&
+        (value != NULL) && (measured != NULL) && (origin != NULL) && (x != NULL)) {
         gps_1_block_t block;
 
         result = (epochs < 0) ? EKF_CAL_ONLINE_COUNT : EKF_CAL_ONLINE_OK;
@@ -593,9 +593,9 @@ ekf_cal_online_status_t ekf_cal_online_gps_1_batch_nz(
 {
     ekf_cal_online_status_t result = EKF_CAL_ONLINE_NULL;
 
-    if ((x != NULL) && (origin != NULL) && (measured != NULL) && (value != NULL) &&
-        (residual != NULL) && (jacobian_nz != NULL) && (jacobian_origin_nz != NULL) &&
-        (status != NULL)) {
+    if ((status != NULL) && (jacobian_origin_nz != NULL) && (jacobian_nz != NULL) &&
+        (residual != NULL) && (value != NULL) && (measured != NULL) && (origin != NULL) &&
+        (x != NULL)) {
         gps_1_block_t block;
 
         result = (epochs < 0) ? EKF_CAL_ONLINE_COUNT : EKF_CAL_ONLINE_OK;

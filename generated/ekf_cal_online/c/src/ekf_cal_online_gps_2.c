@@ -274,8 +274,8 @@ EKF_CAL_ONLINE_NARROW ekf_cal_online_status_t ekf_cal_online_gps_2(
 {
     ekf_cal_online_status_t status = EKF_CAL_ONLINE_NULL;
 
-    if ((x != NULL) && (origin != NULL) && (measured != NULL) && (value != NULL) &&
-        (residual != NULL) && (jacobian != NULL) && (jacobian_origin != NULL)) {
+    if ((jacobian_origin != NULL) && (jacobian != NULL) && (residual != NULL) && (value != NULL) &&
+        (measured != NULL) && (origin != NULL) && (x != NULL)) {
         gps_2_input_t in;
         gps_2_output_t out;
 
@@ -302,8 +302,8 @@ EKF_CAL_ONLINE_NARROW ekf_cal_online_status_t ekf_cal_online_gps_2_value(
 {
     ekf_cal_online_status_t status = EKF_CAL_ONLINE_NULL;
 
-    if ((x != NULL) && (origin != NULL) && (measured != NULL) && (value != NULL) &&
-        (residual != NULL)) {
+    if ((residual != NULL) && (value != NULL) && (measured != NULL) && (origin != NULL) &&
+        (x != NULL)) {
         gps_2_input_t in;
         gps_2_output_t out;
 
@@ -328,8 +328,8 @@ EKF_CAL_ONLINE_NARROW ekf_cal_online_status_t ekf_cal_online_gps_2_jacobian(
 {
     ekf_cal_online_status_t status = EKF_CAL_ONLINE_NULL;
 
-    if ((x != NULL) && (origin != NULL) && (measured != NULL) && (jacobian != NULL) &&
-        (jacobian_origin != NULL)) {
+    if ((jacobian_origin != NULL) && (jacobian != NULL) && (measured != NULL) && (origin != NULL) &&
+        (x != NULL)) {
         gps_2_input_t in;
         gps_2_output_t out;
 
@@ -356,8 +356,8 @@ EKF_CAL_ONLINE_NARROW ekf_cal_online_status_t ekf_cal_online_gps_2_nz(
 {
     ekf_cal_online_status_t status = EKF_CAL_ONLINE_NULL;
 
-    if ((x != NULL) && (origin != NULL) && (measured != NULL) && (value != NULL) &&
-        (residual != NULL) && (jacobian_nz != NULL) && (jacobian_origin_nz != NULL)) {
+    if ((jacobian_origin_nz != NULL) && (jacobian_nz != NULL) && (residual != NULL) &&
+        (value != NULL) && (measured != NULL) && (origin != NULL) && (x != NULL)) {
         gps_2_input_t in;
         gps_2_output_t out;
 
@@ -471,9 +471,9 @@ ekf_cal_online_status_t ekf_cal_online_gps_2_blocks(
 {
     ekf_cal_online_status_t result = EKF_CAL_ONLINE_NULL;
 
-    if ((x != NULL) && (origin != NULL) && (measured != NULL) && (value != NULL) &&
-        (residual != NULL) && (jacobian_nz != NULL) && (jacobian_origin_nz != NULL) &&
-        (status != NULL)) {
+    if ((status != NULL) && (jacobian_origin_nz != NULL) && (jacobian_nz != NULL) &&
+        (residual != NULL) && (value != NULL) && (measured != NULL) && (origin != NULL) &&
+        (x != NULL)) {
         result = (epochs < 0) ? EKF_CAL_ONLINE_COUNT : EKF_CAL_ONLINE_OK;
         for (ptrdiff_t first = 0; first < epochs; first += EKF_CAL_ONLINE_GPS_2_LANES) {
             const ptrdiff_t rest = epochs - first;
@@ -538,8 +538,8 @@ ekf_cal_online_status_t ekf_cal_online_gps_2_batch(
 {
     ekf_cal_online_status_t result = EKF_CAL_ONLINE_NULL;
 
-    if ((x != NULL) && (origin != NULL) && (measured != NULL) && (value != NULL) &&
-        (residual != NULL) && (jacobian != NULL) && (jacobian_origin != NULL) && (status != NULL)) {
+    if ((status != NULL) && (jacobian_origin != NULL) && (jacobian != NULL) && (residual != NULL) &&
+        (value != NULL) && (measured != NULL) && (origin != NULL) && (x != NULL)) {
         gps_2_block_t block;
 
         result = (epochs < 0) ? EKF_CAL_ONLINE_COUNT : EKF_CAL_ONLINE_OK;
@@ -588,9 +588,9 @@ ekf_cal_online_status_t ekf_cal_online_gps_2_batch_nz(
 {
     ekf_cal_online_status_t result = EKF_CAL_ONLINE_NULL;
 
-    if ((x != NULL) && (origin != NULL) && (measured != NULL) && (value != NULL) &&
-        (residual != NULL) && (jacobian_nz != NULL) && (jacobian_origin_nz != NULL) &&
-        (status != NULL)) {
+    if ((status != NULL) && (jacobian_origin_nz != NULL) && (jacobian_nz != NULL) &&
+        (residual != NULL) && (value != NULL) && (measured != NULL) && (origin != NULL) &&
+        (x != NULL)) {
         gps_2_block_t block;
 
         result = (epochs < 0) ? EKF_CAL_ONLINE_COUNT : EKF_CAL_ONLINE_OK;

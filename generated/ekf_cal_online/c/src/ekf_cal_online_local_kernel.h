@@ -39,32 +39,32 @@ typedef struct {
     ekf_cal_online_real_t antenna_2_x;  /* m, in b */
     ekf_cal_online_real_t antenna_2_y;  /* m, in b */
     ekf_cal_online_real_t antenna_2_z;  /* m, in b */
-    ekf_cal_online_real_t position_x_2;  /* m, in l */
-    ekf_cal_online_real_t position_y_2;  /* m, in l */
-    ekf_cal_online_real_t position_z_2;  /* m, in l */
-    ekf_cal_online_real_t velocity_x_2;  /* m/s, in l */
-    ekf_cal_online_real_t velocity_y_2;  /* m/s, in l */
-    ekf_cal_online_real_t velocity_z_2;  /* m/s, in l */
-    ekf_cal_online_real_t acceleration_x_2;  /* m/s^2, in l */
-    ekf_cal_online_real_t acceleration_y_2;  /* m/s^2, in l */
-    ekf_cal_online_real_t acceleration_z_2;  /* m/s^2, in l */
-    ekf_cal_online_real_t attitude_w_2;  /* b -> l */
-    ekf_cal_online_real_t attitude_x_2;  /* b -> l */
-    ekf_cal_online_real_t attitude_y_2;  /* b -> l */
-    ekf_cal_online_real_t attitude_z_2;  /* b -> l */
-    ekf_cal_online_real_t angular_rate_x_2;  /* rad/s, in l */
-    ekf_cal_online_real_t angular_rate_y_2;  /* rad/s, in l */
-    ekf_cal_online_real_t angular_rate_z_2;  /* rad/s, in l */
-    ekf_cal_online_real_t angular_acceleration_x_2;  /* rad/s^2, in l */
-    ekf_cal_online_real_t angular_acceleration_y_2;  /* rad/s^2, in l */
-    ekf_cal_online_real_t angular_acceleration_z_2;  /* rad/s^2, in l */
-    ekf_cal_online_real_t heading_2;  /* rad, g -> l */
-    ekf_cal_online_real_t antenna_1_x_2;  /* m, in b */
-    ekf_cal_online_real_t antenna_1_y_2;  /* m, in b */
-    ekf_cal_online_real_t antenna_1_z_2;  /* m, in b */
-    ekf_cal_online_real_t antenna_2_x_2;  /* m, in b */
-    ekf_cal_online_real_t antenna_2_y_2;  /* m, in b */
-    ekf_cal_online_real_t antenna_2_z_2;  /* m, in b */
+    ekf_cal_online_real_t y_position_x;  /* m, in l */
+    ekf_cal_online_real_t y_position_y;  /* m, in l */
+    ekf_cal_online_real_t y_position_z;  /* m, in l */
+    ekf_cal_online_real_t y_velocity_x;  /* m/s, in l */
+    ekf_cal_online_real_t y_velocity_y;  /* m/s, in l */
+    ekf_cal_online_real_t y_velocity_z;  /* m/s, in l */
+    ekf_cal_online_real_t y_acceleration_x;  /* m/s^2, in l */
+    ekf_cal_online_real_t y_acceleration_y;  /* m/s^2, in l */
+    ekf_cal_online_real_t y_acceleration_z;  /* m/s^2, in l */
+    ekf_cal_online_real_t y_attitude_w;  /* b -> l */
+    ekf_cal_online_real_t y_attitude_x;  /* b -> l */
+    ekf_cal_online_real_t y_attitude_y;  /* b -> l */
+    ekf_cal_online_real_t y_attitude_z;  /* b -> l */
+    ekf_cal_online_real_t y_angular_rate_x;  /* rad/s, in l */
+    ekf_cal_online_real_t y_angular_rate_y;  /* rad/s, in l */
+    ekf_cal_online_real_t y_angular_rate_z;  /* rad/s, in l */
+    ekf_cal_online_real_t y_angular_acceleration_x;  /* rad/s^2, in l */
+    ekf_cal_online_real_t y_angular_acceleration_y;  /* rad/s^2, in l */
+    ekf_cal_online_real_t y_angular_acceleration_z;  /* rad/s^2, in l */
+    ekf_cal_online_real_t y_heading;  /* rad, g -> l */
+    ekf_cal_online_real_t y_antenna_1_x;  /* m, in b */
+    ekf_cal_online_real_t y_antenna_1_y;  /* m, in b */
+    ekf_cal_online_real_t y_antenna_1_z;  /* m, in b */
+    ekf_cal_online_real_t y_antenna_2_x;  /* m, in b */
+    ekf_cal_online_real_t y_antenna_2_y;  /* m, in b */
+    ekf_cal_online_real_t y_antenna_2_z;  /* m, in b */
 } local_input_t;
 
 /** Structural non-zeros of the results of ekf_cal_online_local. */
@@ -125,48 +125,48 @@ EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t local_load(
     in->antenna_2_z = x[25];
 
     /* position [m, in l] */
-    in->position_x_2 = y[0];
-    in->position_y_2 = y[1];
-    in->position_z_2 = y[2];
+    in->y_position_x = y[0];
+    in->y_position_y = y[1];
+    in->y_position_z = y[2];
 
     /* velocity [m/s, in l] */
-    in->velocity_x_2 = y[3];
-    in->velocity_y_2 = y[4];
-    in->velocity_z_2 = y[5];
+    in->y_velocity_x = y[3];
+    in->y_velocity_y = y[4];
+    in->y_velocity_z = y[5];
 
     /* acceleration [m/s^2, in l] */
-    in->acceleration_x_2 = y[6];
-    in->acceleration_y_2 = y[7];
-    in->acceleration_z_2 = y[8];
+    in->y_acceleration_x = y[6];
+    in->y_acceleration_y = y[7];
+    in->y_acceleration_z = y[8];
 
     /* attitude [b -> l] */
-    in->attitude_w_2 = y[9];
-    in->attitude_x_2 = y[10];
-    in->attitude_y_2 = y[11];
-    in->attitude_z_2 = y[12];
+    in->y_attitude_w = y[9];
+    in->y_attitude_x = y[10];
+    in->y_attitude_y = y[11];
+    in->y_attitude_z = y[12];
 
     /* angular_rate [rad/s, in l] */
-    in->angular_rate_x_2 = y[13];
-    in->angular_rate_y_2 = y[14];
-    in->angular_rate_z_2 = y[15];
+    in->y_angular_rate_x = y[13];
+    in->y_angular_rate_y = y[14];
+    in->y_angular_rate_z = y[15];
 
     /* angular_acceleration [rad/s^2, in l] */
-    in->angular_acceleration_x_2 = y[16];
-    in->angular_acceleration_y_2 = y[17];
-    in->angular_acceleration_z_2 = y[18];
+    in->y_angular_acceleration_x = y[16];
+    in->y_angular_acceleration_y = y[17];
+    in->y_angular_acceleration_z = y[18];
 
     /* heading [rad, g -> l] */
-    in->heading_2 = y[19];
+    in->y_heading = y[19];
 
     /* antenna_1 [m, in b] */
-    in->antenna_1_x_2 = y[20];
-    in->antenna_1_y_2 = y[21];
-    in->antenna_1_z_2 = y[22];
+    in->y_antenna_1_x = y[20];
+    in->y_antenna_1_y = y[21];
+    in->y_antenna_1_z = y[22];
 
     /* antenna_2 [m, in b] */
-    in->antenna_2_x_2 = y[23];
-    in->antenna_2_y_2 = y[24];
-    in->antenna_2_z_2 = y[25];
+    in->y_antenna_2_x = y[23];
+    in->y_antenna_2_y = y[24];
+    in->y_antenna_2_z = y[25];
 
     bool inside = are_three_centred(in->position_x, in->position_y, in->position_z, 1000000.0);
     inside = inside &&
@@ -183,27 +183,27 @@ EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t local_load(
     inside = inside && are_three_centred(in->antenna_1_x, in->antenna_1_y, in->antenna_1_z, 50.0);
     inside = inside && are_three_centred(in->antenna_2_x, in->antenna_2_y, in->antenna_2_z, 50.0);
     inside = inside &&
-        are_three_centred(in->position_x_2, in->position_y_2, in->position_z_2, 1000000.0);
+        are_three_centred(in->y_position_x, in->y_position_y, in->y_position_z, 1000000.0);
     inside = inside &&
-        are_three_centred(in->velocity_x_2, in->velocity_y_2, in->velocity_z_2, 1000000000.0);
-    inside = inside && are_three_centred(in->acceleration_x_2, in->acceleration_y_2,
-        in->acceleration_z_2, 1000000000.0);
-    inside = inside && are_four_centred(in->attitude_w_2, in->attitude_x_2, in->attitude_y_2,
-        in->attitude_z_2, 1.00001);
-    inside = inside && are_three_centred(in->angular_rate_x_2, in->angular_rate_y_2,
-        in->angular_rate_z_2, 1000000000.0);
-    inside = inside && are_three_centred(in->angular_acceleration_x_2, in->angular_acceleration_y_2,
-        in->angular_acceleration_z_2, 1000000000.0);
-    inside = inside && is_centred(in->heading_2, 3.1416);
+        are_three_centred(in->y_velocity_x, in->y_velocity_y, in->y_velocity_z, 1000000000.0);
+    inside = inside && are_three_centred(in->y_acceleration_x, in->y_acceleration_y,
+        in->y_acceleration_z, 1000000000.0);
+    inside = inside && are_four_centred(in->y_attitude_w, in->y_attitude_x, in->y_attitude_y,
+        in->y_attitude_z, 1.00001);
+    inside = inside && are_three_centred(in->y_angular_rate_x, in->y_angular_rate_y,
+        in->y_angular_rate_z, 1000000000.0);
+    inside = inside && are_three_centred(in->y_angular_acceleration_x, in->y_angular_acceleration_y,
+        in->y_angular_acceleration_z, 1000000000.0);
+    inside = inside && is_centred(in->y_heading, 3.1416);
     inside = inside &&
-        are_three_centred(in->antenna_1_x_2, in->antenna_1_y_2, in->antenna_1_z_2, 50.0);
+        are_three_centred(in->y_antenna_1_x, in->y_antenna_1_y, in->y_antenna_1_z, 50.0);
     inside = inside &&
-        are_three_centred(in->antenna_2_x_2, in->antenna_2_y_2, in->antenna_2_z_2, 50.0);
+        are_three_centred(in->y_antenna_2_x, in->y_antenna_2_y, in->y_antenna_2_z, 50.0);
 
     skewed |= is_skewed_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z,
         1.0e-05);
-    skewed |= is_skewed_quaternion(in->attitude_w_2, in->attitude_x_2, in->attitude_y_2,
-        in->attitude_z_2, 1.0e-05);
+    skewed |= is_skewed_quaternion(in->y_attitude_w, in->y_attitude_x, in->y_attitude_y,
+        in->y_attitude_z, 1.0e-05);
 
     return (!inside) ? (ekf_cal_online_flag_t)EKF_CAL_ONLINE_RANGE :
         ((skewed != 0U) ? (ekf_cal_online_flag_t)EKF_CAL_ONLINE_QNORM :
@@ -214,18 +214,18 @@ EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t local_load(
 EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t
     local_kernel(const local_input_t *in, local_output_t *out)
 {
-    const ekf_cal_online_real_t attitude_log_of_w = (in->attitude_w * in->attitude_w_2) +
-        (in->attitude_x * in->attitude_x_2) +
-        ((in->attitude_y * in->attitude_y_2) + (in->attitude_z * in->attitude_z_2));
-    const ekf_cal_online_real_t attitude_log_of_x = (in->attitude_w * in->attitude_x_2) -
-        (in->attitude_x * in->attitude_w_2) +
-        ((in->attitude_z * in->attitude_y_2) - (in->attitude_y * in->attitude_z_2));
-    const ekf_cal_online_real_t attitude_log_of_y = (in->attitude_w * in->attitude_y_2) -
-        (in->attitude_y * in->attitude_w_2) +
-        ((in->attitude_x * in->attitude_z_2) - (in->attitude_z * in->attitude_x_2));
-    const ekf_cal_online_real_t attitude_log_of_z = (in->attitude_w * in->attitude_z_2) -
-        (in->attitude_x * in->attitude_y_2) +
-        ((in->attitude_y * in->attitude_x_2) - (in->attitude_z * in->attitude_w_2));
+    const ekf_cal_online_real_t attitude_log_of_w = (in->attitude_w * in->y_attitude_w) +
+        (in->attitude_x * in->y_attitude_x) +
+        ((in->attitude_y * in->y_attitude_y) + (in->attitude_z * in->y_attitude_z));
+    const ekf_cal_online_real_t attitude_log_of_x = (in->attitude_w * in->y_attitude_x) -
+        (in->attitude_x * in->y_attitude_w) +
+        ((in->attitude_z * in->y_attitude_y) - (in->attitude_y * in->y_attitude_z));
+    const ekf_cal_online_real_t attitude_log_of_y = (in->attitude_w * in->y_attitude_y) -
+        (in->attitude_y * in->y_attitude_w) +
+        ((in->attitude_x * in->y_attitude_z) - (in->attitude_z * in->y_attitude_x));
+    const ekf_cal_online_real_t attitude_log_of_z = (in->attitude_w * in->y_attitude_z) -
+        (in->attitude_x * in->y_attitude_y) +
+        ((in->attitude_y * in->y_attitude_x) - (in->attitude_z * in->y_attitude_w));
     const ekf_cal_online_real_t attitude_log_sign = (attitude_log_of_w < 0.0) ? (-1.0) : 1.0;
     const ekf_cal_online_real_t attitude_log_w = attitude_log_of_w * attitude_log_sign;
     const ekf_cal_online_real_t attitude_log_sine_squared =
@@ -251,38 +251,38 @@ EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t
     const ekf_cal_online_real_t attitude_log_scale = (attitude_log_sine_squared < 0.01) ?
         ((2.0 * attitude_log_series) / attitude_log_cosine) : attitude_log_far;
     const ekf_cal_online_real_t attitude_log_signed_scale = attitude_log_scale * attitude_log_sign;
-    const ekf_cal_online_real_t heading_difference = in->heading_2 - in->heading;
+    const ekf_cal_online_real_t heading_difference = in->y_heading - in->heading;
 
-    out->value[0] = in->position_x_2 - in->position_x;  /* position x */
-    out->value[1] = in->position_y_2 - in->position_y;  /* position y */
-    out->value[2] = in->position_z_2 - in->position_z;  /* position z */
-    out->value[3] = in->velocity_x_2 - in->velocity_x;  /* velocity x */
-    out->value[4] = in->velocity_y_2 - in->velocity_y;  /* velocity y */
-    out->value[5] = in->velocity_z_2 - in->velocity_z;  /* velocity z */
-    out->value[6] = in->acceleration_x_2 - in->acceleration_x;  /* acceleration x */
-    out->value[7] = in->acceleration_y_2 - in->acceleration_y;  /* acceleration y */
-    out->value[8] = in->acceleration_z_2 - in->acceleration_z;  /* acceleration z */
+    out->value[0] = in->y_position_x - in->position_x;  /* position x */
+    out->value[1] = in->y_position_y - in->position_y;  /* position y */
+    out->value[2] = in->y_position_z - in->position_z;  /* position z */
+    out->value[3] = in->y_velocity_x - in->velocity_x;  /* velocity x */
+    out->value[4] = in->y_velocity_y - in->velocity_y;  /* velocity y */
+    out->value[5] = in->y_velocity_z - in->velocity_z;  /* velocity z */
+    out->value[6] = in->y_acceleration_x - in->acceleration_x;  /* acceleration x */
+    out->value[7] = in->y_acceleration_y - in->acceleration_y;  /* acceleration y */
+    out->value[8] = in->y_acceleration_z - in->acceleration_z;  /* acceleration z */
     out->value[9] = attitude_log_of_x * attitude_log_signed_scale;  /* attitude x */
     out->value[10] = attitude_log_of_y * attitude_log_signed_scale;  /* attitude y */
     out->value[11] = attitude_log_of_z * attitude_log_signed_scale;  /* attitude z */
-    out->value[12] = in->angular_rate_x_2 - in->angular_rate_x;  /* angular_rate x */
-    out->value[13] = in->angular_rate_y_2 - in->angular_rate_y;  /* angular_rate y */
-    out->value[14] = in->angular_rate_z_2 - in->angular_rate_z;  /* angular_rate z */
+    out->value[12] = in->y_angular_rate_x - in->angular_rate_x;  /* angular_rate x */
+    out->value[13] = in->y_angular_rate_y - in->angular_rate_y;  /* angular_rate y */
+    out->value[14] = in->y_angular_rate_z - in->angular_rate_z;  /* angular_rate z */
     /* angular_acceleration x */
-    out->value[15] = in->angular_acceleration_x_2 - in->angular_acceleration_x;
+    out->value[15] = in->y_angular_acceleration_x - in->angular_acceleration_x;
     /* angular_acceleration y */
-    out->value[16] = in->angular_acceleration_y_2 - in->angular_acceleration_y;
+    out->value[16] = in->y_angular_acceleration_y - in->angular_acceleration_y;
     /* angular_acceleration z */
-    out->value[17] = in->angular_acceleration_z_2 - in->angular_acceleration_z;
+    out->value[17] = in->y_angular_acceleration_z - in->angular_acceleration_z;
     /* heading */
     out->value[18] = heading_difference +
         (6.283185307179586 * floor(0.5 - (0.15915494309189535 * heading_difference)));
-    out->value[19] = in->antenna_1_x_2 - in->antenna_1_x;  /* antenna_1 x */
-    out->value[20] = in->antenna_1_y_2 - in->antenna_1_y;  /* antenna_1 y */
-    out->value[21] = in->antenna_1_z_2 - in->antenna_1_z;  /* antenna_1 z */
-    out->value[22] = in->antenna_2_x_2 - in->antenna_2_x;  /* antenna_2 x */
-    out->value[23] = in->antenna_2_y_2 - in->antenna_2_y;  /* antenna_2 y */
-    out->value[24] = in->antenna_2_z_2 - in->antenna_2_z;  /* antenna_2 z */
+    out->value[19] = in->y_antenna_1_x - in->antenna_1_x;  /* antenna_1 x */
+    out->value[20] = in->y_antenna_1_y - in->antenna_1_y;  /* antenna_1 y */
+    out->value[21] = in->y_antenna_1_z - in->antenna_1_z;  /* antenna_1 z */
+    out->value[22] = in->y_antenna_2_x - in->antenna_2_x;  /* antenna_2 x */
+    out->value[23] = in->y_antenna_2_y - in->antenna_2_y;  /* antenna_2 y */
+    out->value[24] = in->y_antenna_2_z - in->antenna_2_z;  /* antenna_2 z */
 
     return (ekf_cal_online_flag_t)EKF_CAL_ONLINE_OK;
 }

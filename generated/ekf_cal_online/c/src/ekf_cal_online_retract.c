@@ -100,47 +100,47 @@ EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t retract_load_lane(
     outside |= take_centred(x[25 * stride], 50.0, &in->antenna_2_z);
 
     /* position [m, in l] */
-    outside |= take_centred(d[0], 1000000000.0, &in->position_x_2);
-    outside |= take_centred(d[stride], 1000000000.0, &in->position_y_2);
-    outside |= take_centred(d[2 * stride], 1000000000.0, &in->position_z_2);
+    outside |= take_centred(d[0], 1000000000.0, &in->d_position_x);
+    outside |= take_centred(d[stride], 1000000000.0, &in->d_position_y);
+    outside |= take_centred(d[2 * stride], 1000000000.0, &in->d_position_z);
 
     /* velocity [m/s, in l] */
-    outside |= take_centred(d[3 * stride], 1000000000.0, &in->velocity_x_2);
-    outside |= take_centred(d[4 * stride], 1000000000.0, &in->velocity_y_2);
-    outside |= take_centred(d[5 * stride], 1000000000.0, &in->velocity_z_2);
+    outside |= take_centred(d[3 * stride], 1000000000.0, &in->d_velocity_x);
+    outside |= take_centred(d[4 * stride], 1000000000.0, &in->d_velocity_y);
+    outside |= take_centred(d[5 * stride], 1000000000.0, &in->d_velocity_z);
 
     /* acceleration [m/s^2, in l] */
-    outside |= take_centred(d[6 * stride], 1000000000.0, &in->acceleration_x_2);
-    outside |= take_centred(d[7 * stride], 1000000000.0, &in->acceleration_y_2);
-    outside |= take_centred(d[8 * stride], 1000000000.0, &in->acceleration_z_2);
+    outside |= take_centred(d[6 * stride], 1000000000.0, &in->d_acceleration_x);
+    outside |= take_centred(d[7 * stride], 1000000000.0, &in->d_acceleration_y);
+    outside |= take_centred(d[8 * stride], 1000000000.0, &in->d_acceleration_z);
 
     /* attitude [rad, in b] */
-    outside |= take_centred(d[9 * stride], 6.0, &in->attitude_x_2);
-    outside |= take_centred(d[10 * stride], 6.0, &in->attitude_y_2);
-    outside |= take_centred(d[11 * stride], 6.0, &in->attitude_z_2);
+    outside |= take_centred(d[9 * stride], 6.0, &in->d_attitude_x);
+    outside |= take_centred(d[10 * stride], 6.0, &in->d_attitude_y);
+    outside |= take_centred(d[11 * stride], 6.0, &in->d_attitude_z);
 
     /* angular_rate [rad/s, in l] */
-    outside |= take_centred(d[12 * stride], 1000000000.0, &in->angular_rate_x_2);
-    outside |= take_centred(d[13 * stride], 1000000000.0, &in->angular_rate_y_2);
-    outside |= take_centred(d[14 * stride], 1000000000.0, &in->angular_rate_z_2);
+    outside |= take_centred(d[12 * stride], 1000000000.0, &in->d_angular_rate_x);
+    outside |= take_centred(d[13 * stride], 1000000000.0, &in->d_angular_rate_y);
+    outside |= take_centred(d[14 * stride], 1000000000.0, &in->d_angular_rate_z);
 
     /* angular_acceleration [rad/s^2, in l] */
-    outside |= take_centred(d[15 * stride], 1000000000.0, &in->angular_acceleration_x_2);
-    outside |= take_centred(d[16 * stride], 1000000000.0, &in->angular_acceleration_y_2);
-    outside |= take_centred(d[17 * stride], 1000000000.0, &in->angular_acceleration_z_2);
+    outside |= take_centred(d[15 * stride], 1000000000.0, &in->d_angular_acceleration_x);
+    outside |= take_centred(d[16 * stride], 1000000000.0, &in->d_angular_acceleration_y);
+    outside |= take_centred(d[17 * stride], 1000000000.0, &in->d_angular_acceleration_z);
 
     /* heading [rad] */
-    outside |= take_centred(d[18 * stride], 6.0, &in->heading_2);
+    outside |= take_centred(d[18 * stride], 6.0, &in->d_heading);
 
     /* antenna_1 [m, in b] */
-    outside |= take_centred(d[19 * stride], 1000000000.0, &in->antenna_1_x_2);
-    outside |= take_centred(d[20 * stride], 1000000000.0, &in->antenna_1_y_2);
-    outside |= take_centred(d[21 * stride], 1000000000.0, &in->antenna_1_z_2);
+    outside |= take_centred(d[19 * stride], 1000000000.0, &in->d_antenna_1_x);
+    outside |= take_centred(d[20 * stride], 1000000000.0, &in->d_antenna_1_y);
+    outside |= take_centred(d[21 * stride], 1000000000.0, &in->d_antenna_1_z);
 
     /* antenna_2 [m, in b] */
-    outside |= take_centred(d[22 * stride], 1000000000.0, &in->antenna_2_x_2);
-    outside |= take_centred(d[23 * stride], 1000000000.0, &in->antenna_2_y_2);
-    outside |= take_centred(d[24 * stride], 1000000000.0, &in->antenna_2_z_2);
+    outside |= take_centred(d[22 * stride], 1000000000.0, &in->d_antenna_2_x);
+    outside |= take_centred(d[23 * stride], 1000000000.0, &in->d_antenna_2_y);
+    outside |= take_centred(d[24 * stride], 1000000000.0, &in->d_antenna_2_z);
 
     return ((ekf_cal_online_flag_t)EKF_CAL_ONLINE_RANGE * outside) +
         ((ekf_cal_online_flag_t)EKF_CAL_ONLINE_QNORM * (skewed & ~outside));
@@ -179,31 +179,31 @@ EKF_CAL_ONLINE_INLINE void retract_copy(
     in->antenna_2_x = x[23 * stride];
     in->antenna_2_y = x[24 * stride];
     in->antenna_2_z = x[25 * stride];
-    in->position_x_2 = d[0];
-    in->position_y_2 = d[stride];
-    in->position_z_2 = d[2 * stride];
-    in->velocity_x_2 = d[3 * stride];
-    in->velocity_y_2 = d[4 * stride];
-    in->velocity_z_2 = d[5 * stride];
-    in->acceleration_x_2 = d[6 * stride];
-    in->acceleration_y_2 = d[7 * stride];
-    in->acceleration_z_2 = d[8 * stride];
-    in->attitude_x_2 = d[9 * stride];
-    in->attitude_y_2 = d[10 * stride];
-    in->attitude_z_2 = d[11 * stride];
-    in->angular_rate_x_2 = d[12 * stride];
-    in->angular_rate_y_2 = d[13 * stride];
-    in->angular_rate_z_2 = d[14 * stride];
-    in->angular_acceleration_x_2 = d[15 * stride];
-    in->angular_acceleration_y_2 = d[16 * stride];
-    in->angular_acceleration_z_2 = d[17 * stride];
-    in->heading_2 = d[18 * stride];
-    in->antenna_1_x_2 = d[19 * stride];
-    in->antenna_1_y_2 = d[20 * stride];
-    in->antenna_1_z_2 = d[21 * stride];
-    in->antenna_2_x_2 = d[22 * stride];
-    in->antenna_2_y_2 = d[23 * stride];
-    in->antenna_2_z_2 = d[24 * stride];
+    in->d_position_x = d[0];
+    in->d_position_y = d[stride];
+    in->d_position_z = d[2 * stride];
+    in->d_velocity_x = d[3 * stride];
+    in->d_velocity_y = d[4 * stride];
+    in->d_velocity_z = d[5 * stride];
+    in->d_acceleration_x = d[6 * stride];
+    in->d_acceleration_y = d[7 * stride];
+    in->d_acceleration_z = d[8 * stride];
+    in->d_attitude_x = d[9 * stride];
+    in->d_attitude_y = d[10 * stride];
+    in->d_attitude_z = d[11 * stride];
+    in->d_angular_rate_x = d[12 * stride];
+    in->d_angular_rate_y = d[13 * stride];
+    in->d_angular_rate_z = d[14 * stride];
+    in->d_angular_acceleration_x = d[15 * stride];
+    in->d_angular_acceleration_y = d[16 * stride];
+    in->d_angular_acceleration_z = d[17 * stride];
+    in->d_heading = d[18 * stride];
+    in->d_antenna_1_x = d[19 * stride];
+    in->d_antenna_1_y = d[20 * stride];
+    in->d_antenna_1_z = d[21 * stride];
+    in->d_antenna_2_x = d[22 * stride];
+    in->d_antenna_2_y = d[23 * stride];
+    in->d_antenna_2_z = d[24 * stride];
 }
 
 /* Store value in full, structural zeros included. */
@@ -247,7 +247,7 @@ EKF_CAL_ONLINE_NARROW ekf_cal_online_status_t ekf_cal_online_retract(
 {
     ekf_cal_online_status_t status = EKF_CAL_ONLINE_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL)) {
+    if ((value != NULL) && (d != NULL) && (x != NULL)) {
         retract_input_t in;
         retract_output_t out;
 
@@ -339,7 +339,7 @@ ekf_cal_online_status_t ekf_cal_online_retract_blocks(
 {
     ekf_cal_online_status_t result = EKF_CAL_ONLINE_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (d != NULL) && (x != NULL)) {
         result = (epochs < 0) ? EKF_CAL_ONLINE_COUNT : EKF_CAL_ONLINE_OK;
         for (ptrdiff_t first = 0; first < epochs; first += EKF_CAL_ONLINE_RETRACT_LANES) {
             const ptrdiff_t rest = epochs - first;
@@ -385,7 +385,7 @@ ekf_cal_online_status_t ekf_cal_online_retract_batch(
 {
     ekf_cal_online_status_t result = EKF_CAL_ONLINE_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (d != NULL) && (x != NULL)) {
         retract_block_t block;
 
         result = (epochs < 0) ? EKF_CAL_ONLINE_COUNT : EKF_CAL_ONLINE_OK;

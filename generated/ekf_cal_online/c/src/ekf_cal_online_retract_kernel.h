@@ -40,31 +40,31 @@ typedef struct {
     ekf_cal_online_real_t antenna_2_x;  /* m, in b */
     ekf_cal_online_real_t antenna_2_y;  /* m, in b */
     ekf_cal_online_real_t antenna_2_z;  /* m, in b */
-    ekf_cal_online_real_t position_x_2;  /* m, in l */
-    ekf_cal_online_real_t position_y_2;  /* m, in l */
-    ekf_cal_online_real_t position_z_2;  /* m, in l */
-    ekf_cal_online_real_t velocity_x_2;  /* m/s, in l */
-    ekf_cal_online_real_t velocity_y_2;  /* m/s, in l */
-    ekf_cal_online_real_t velocity_z_2;  /* m/s, in l */
-    ekf_cal_online_real_t acceleration_x_2;  /* m/s^2, in l */
-    ekf_cal_online_real_t acceleration_y_2;  /* m/s^2, in l */
-    ekf_cal_online_real_t acceleration_z_2;  /* m/s^2, in l */
-    ekf_cal_online_real_t attitude_x_2;  /* rad, in b */
-    ekf_cal_online_real_t attitude_y_2;  /* rad, in b */
-    ekf_cal_online_real_t attitude_z_2;  /* rad, in b */
-    ekf_cal_online_real_t angular_rate_x_2;  /* rad/s, in l */
-    ekf_cal_online_real_t angular_rate_y_2;  /* rad/s, in l */
-    ekf_cal_online_real_t angular_rate_z_2;  /* rad/s, in l */
-    ekf_cal_online_real_t angular_acceleration_x_2;  /* rad/s^2, in l */
-    ekf_cal_online_real_t angular_acceleration_y_2;  /* rad/s^2, in l */
-    ekf_cal_online_real_t angular_acceleration_z_2;  /* rad/s^2, in l */
-    ekf_cal_online_real_t heading_2;  /* rad */
-    ekf_cal_online_real_t antenna_1_x_2;  /* m, in b */
-    ekf_cal_online_real_t antenna_1_y_2;  /* m, in b */
-    ekf_cal_online_real_t antenna_1_z_2;  /* m, in b */
-    ekf_cal_online_real_t antenna_2_x_2;  /* m, in b */
-    ekf_cal_online_real_t antenna_2_y_2;  /* m, in b */
-    ekf_cal_online_real_t antenna_2_z_2;  /* m, in b */
+    ekf_cal_online_real_t d_position_x;  /* m, in l */
+    ekf_cal_online_real_t d_position_y;  /* m, in l */
+    ekf_cal_online_real_t d_position_z;  /* m, in l */
+    ekf_cal_online_real_t d_velocity_x;  /* m/s, in l */
+    ekf_cal_online_real_t d_velocity_y;  /* m/s, in l */
+    ekf_cal_online_real_t d_velocity_z;  /* m/s, in l */
+    ekf_cal_online_real_t d_acceleration_x;  /* m/s^2, in l */
+    ekf_cal_online_real_t d_acceleration_y;  /* m/s^2, in l */
+    ekf_cal_online_real_t d_acceleration_z;  /* m/s^2, in l */
+    ekf_cal_online_real_t d_attitude_x;  /* rad, in b */
+    ekf_cal_online_real_t d_attitude_y;  /* rad, in b */
+    ekf_cal_online_real_t d_attitude_z;  /* rad, in b */
+    ekf_cal_online_real_t d_angular_rate_x;  /* rad/s, in l */
+    ekf_cal_online_real_t d_angular_rate_y;  /* rad/s, in l */
+    ekf_cal_online_real_t d_angular_rate_z;  /* rad/s, in l */
+    ekf_cal_online_real_t d_angular_acceleration_x;  /* rad/s^2, in l */
+    ekf_cal_online_real_t d_angular_acceleration_y;  /* rad/s^2, in l */
+    ekf_cal_online_real_t d_angular_acceleration_z;  /* rad/s^2, in l */
+    ekf_cal_online_real_t d_heading;  /* rad */
+    ekf_cal_online_real_t d_antenna_1_x;  /* m, in b */
+    ekf_cal_online_real_t d_antenna_1_y;  /* m, in b */
+    ekf_cal_online_real_t d_antenna_1_z;  /* m, in b */
+    ekf_cal_online_real_t d_antenna_2_x;  /* m, in b */
+    ekf_cal_online_real_t d_antenna_2_y;  /* m, in b */
+    ekf_cal_online_real_t d_antenna_2_z;  /* m, in b */
 } retract_input_t;
 
 /** Structural non-zeros of the results of ekf_cal_online_retract. */
@@ -125,47 +125,47 @@ EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t retract_load(
     in->antenna_2_z = x[25];
 
     /* position [m, in l] */
-    in->position_x_2 = d[0];
-    in->position_y_2 = d[1];
-    in->position_z_2 = d[2];
+    in->d_position_x = d[0];
+    in->d_position_y = d[1];
+    in->d_position_z = d[2];
 
     /* velocity [m/s, in l] */
-    in->velocity_x_2 = d[3];
-    in->velocity_y_2 = d[4];
-    in->velocity_z_2 = d[5];
+    in->d_velocity_x = d[3];
+    in->d_velocity_y = d[4];
+    in->d_velocity_z = d[5];
 
     /* acceleration [m/s^2, in l] */
-    in->acceleration_x_2 = d[6];
-    in->acceleration_y_2 = d[7];
-    in->acceleration_z_2 = d[8];
+    in->d_acceleration_x = d[6];
+    in->d_acceleration_y = d[7];
+    in->d_acceleration_z = d[8];
 
     /* attitude [rad, in b] */
-    in->attitude_x_2 = d[9];
-    in->attitude_y_2 = d[10];
-    in->attitude_z_2 = d[11];
+    in->d_attitude_x = d[9];
+    in->d_attitude_y = d[10];
+    in->d_attitude_z = d[11];
 
     /* angular_rate [rad/s, in l] */
-    in->angular_rate_x_2 = d[12];
-    in->angular_rate_y_2 = d[13];
-    in->angular_rate_z_2 = d[14];
+    in->d_angular_rate_x = d[12];
+    in->d_angular_rate_y = d[13];
+    in->d_angular_rate_z = d[14];
 
     /* angular_acceleration [rad/s^2, in l] */
-    in->angular_acceleration_x_2 = d[15];
-    in->angular_acceleration_y_2 = d[16];
-    in->angular_acceleration_z_2 = d[17];
+    in->d_angular_acceleration_x = d[15];
+    in->d_angular_acceleration_y = d[16];
+    in->d_angular_acceleration_z = d[17];
 
     /* heading [rad] */
-    in->heading_2 = d[18];
+    in->d_heading = d[18];
 
     /* antenna_1 [m, in b] */
-    in->antenna_1_x_2 = d[19];
-    in->antenna_1_y_2 = d[20];
-    in->antenna_1_z_2 = d[21];
+    in->d_antenna_1_x = d[19];
+    in->d_antenna_1_y = d[20];
+    in->d_antenna_1_z = d[21];
 
     /* antenna_2 [m, in b] */
-    in->antenna_2_x_2 = d[22];
-    in->antenna_2_y_2 = d[23];
-    in->antenna_2_z_2 = d[24];
+    in->d_antenna_2_x = d[22];
+    in->d_antenna_2_y = d[23];
+    in->d_antenna_2_z = d[24];
 
     bool inside = are_three_centred(in->position_x, in->position_y, in->position_z, 1000000.0);
     inside = inside &&
@@ -182,21 +182,21 @@ EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t retract_load(
     inside = inside && are_three_centred(in->antenna_1_x, in->antenna_1_y, in->antenna_1_z, 50.0);
     inside = inside && are_three_centred(in->antenna_2_x, in->antenna_2_y, in->antenna_2_z, 50.0);
     inside = inside &&
-        are_three_centred(in->position_x_2, in->position_y_2, in->position_z_2, 1000000000.0);
+        are_three_centred(in->d_position_x, in->d_position_y, in->d_position_z, 1000000000.0);
     inside = inside &&
-        are_three_centred(in->velocity_x_2, in->velocity_y_2, in->velocity_z_2, 1000000000.0);
-    inside = inside && are_three_centred(in->acceleration_x_2, in->acceleration_y_2,
-        in->acceleration_z_2, 1000000000.0);
-    inside = inside && are_three_centred(in->attitude_x_2, in->attitude_y_2, in->attitude_z_2, 6.0);
-    inside = inside && are_three_centred(in->angular_rate_x_2, in->angular_rate_y_2,
-        in->angular_rate_z_2, 1000000000.0);
-    inside = inside && are_three_centred(in->angular_acceleration_x_2, in->angular_acceleration_y_2,
-        in->angular_acceleration_z_2, 1000000000.0);
-    inside = inside && is_centred(in->heading_2, 6.0);
+        are_three_centred(in->d_velocity_x, in->d_velocity_y, in->d_velocity_z, 1000000000.0);
+    inside = inside && are_three_centred(in->d_acceleration_x, in->d_acceleration_y,
+        in->d_acceleration_z, 1000000000.0);
+    inside = inside && are_three_centred(in->d_attitude_x, in->d_attitude_y, in->d_attitude_z, 6.0);
+    inside = inside && are_three_centred(in->d_angular_rate_x, in->d_angular_rate_y,
+        in->d_angular_rate_z, 1000000000.0);
+    inside = inside && are_three_centred(in->d_angular_acceleration_x, in->d_angular_acceleration_y,
+        in->d_angular_acceleration_z, 1000000000.0);
+    inside = inside && is_centred(in->d_heading, 6.0);
     inside = inside &&
-        are_three_centred(in->antenna_1_x_2, in->antenna_1_y_2, in->antenna_1_z_2, 1000000000.0);
+        are_three_centred(in->d_antenna_1_x, in->d_antenna_1_y, in->d_antenna_1_z, 1000000000.0);
     inside = inside &&
-        are_three_centred(in->antenna_2_x_2, in->antenna_2_y_2, in->antenna_2_z_2, 1000000000.0);
+        are_three_centred(in->d_antenna_2_x, in->d_antenna_2_y, in->d_antenna_2_z, 1000000000.0);
 
     skewed |= is_skewed_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z,
         1.0e-05);
@@ -210,8 +210,8 @@ EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t retract_load(
 EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t
     retract_kernel(const retract_input_t *in, retract_output_t *out)
 {
-    const ekf_cal_online_real_t attitude_exp_angle_squared = (in->attitude_x_2 * in->attitude_x_2) +
-        (in->attitude_y_2 * in->attitude_y_2) + (in->attitude_z_2 * in->attitude_z_2);
+    const ekf_cal_online_real_t attitude_exp_angle_squared = (in->d_attitude_x * in->d_attitude_x) +
+        (in->d_attitude_y * in->d_attitude_y) + (in->d_attitude_z * in->d_attitude_z);
     const ekf_cal_online_real_t attitude_exp_safe_squared = (attitude_exp_angle_squared < 0.01) ?
         1.0 : attitude_exp_angle_squared;
     const ekf_cal_online_real_t attitude_exp_angle = sqrt(attitude_exp_safe_squared);
@@ -232,20 +232,20 @@ EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t
         attitude_exp_near_cosine : attitude_exp_far_cosine;
     const ekf_cal_online_real_t attitude_exp_sinc = (attitude_exp_angle_squared < 0.01) ?
         attitude_exp_near_sinc : attitude_exp_far_sinc;
-    const ekf_cal_online_real_t attitude_step_x = attitude_exp_sinc * in->attitude_x_2;
-    const ekf_cal_online_real_t attitude_step_y = attitude_exp_sinc * in->attitude_y_2;
-    const ekf_cal_online_real_t attitude_step_z = attitude_exp_sinc * in->attitude_z_2;
-    const ekf_cal_online_real_t heading_moved = in->heading_2 + in->heading;
+    const ekf_cal_online_real_t attitude_step_x = attitude_exp_sinc * in->d_attitude_x;
+    const ekf_cal_online_real_t attitude_step_y = attitude_exp_sinc * in->d_attitude_y;
+    const ekf_cal_online_real_t attitude_step_z = attitude_exp_sinc * in->d_attitude_z;
+    const ekf_cal_online_real_t heading_moved = in->d_heading + in->heading;
 
-    out->value[0] = in->position_x_2 + in->position_x;  /* position x */
-    out->value[1] = in->position_y_2 + in->position_y;  /* position y */
-    out->value[2] = in->position_z_2 + in->position_z;  /* position z */
-    out->value[3] = in->velocity_x_2 + in->velocity_x;  /* velocity x */
-    out->value[4] = in->velocity_y_2 + in->velocity_y;  /* velocity y */
-    out->value[5] = in->velocity_z_2 + in->velocity_z;  /* velocity z */
-    out->value[6] = in->acceleration_x + in->acceleration_x_2;  /* acceleration x */
-    out->value[7] = in->acceleration_y + in->acceleration_y_2;  /* acceleration y */
-    out->value[8] = in->acceleration_z + in->acceleration_z_2;  /* acceleration z */
+    out->value[0] = in->d_position_x + in->position_x;  /* position x */
+    out->value[1] = in->d_position_y + in->position_y;  /* position y */
+    out->value[2] = in->d_position_z + in->position_z;  /* position z */
+    out->value[3] = in->d_velocity_x + in->velocity_x;  /* velocity x */
+    out->value[4] = in->d_velocity_y + in->velocity_y;  /* velocity y */
+    out->value[5] = in->d_velocity_z + in->velocity_z;  /* velocity z */
+    out->value[6] = in->acceleration_x + in->d_acceleration_x;  /* acceleration x */
+    out->value[7] = in->acceleration_y + in->d_acceleration_y;  /* acceleration y */
+    out->value[8] = in->acceleration_z + in->d_acceleration_z;  /* acceleration z */
     /* attitude w */
     out->value[9] = (attitude_exp_cosine * in->attitude_w) - (attitude_step_x * in->attitude_x) -
         ((attitude_step_y * in->attitude_y) + (attitude_step_z * in->attitude_z));
@@ -258,24 +258,24 @@ EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t
     /* attitude z */
     out->value[12] = (attitude_exp_cosine * in->attitude_z) + (attitude_step_y * in->attitude_x) +
         ((attitude_step_z * in->attitude_w) - (attitude_step_x * in->attitude_y));
-    out->value[13] = in->angular_rate_x + in->angular_rate_x_2;  /* angular_rate x */
-    out->value[14] = in->angular_rate_y + in->angular_rate_y_2;  /* angular_rate y */
-    out->value[15] = in->angular_rate_z + in->angular_rate_z_2;  /* angular_rate z */
+    out->value[13] = in->angular_rate_x + in->d_angular_rate_x;  /* angular_rate x */
+    out->value[14] = in->angular_rate_y + in->d_angular_rate_y;  /* angular_rate y */
+    out->value[15] = in->angular_rate_z + in->d_angular_rate_z;  /* angular_rate z */
     /* angular_acceleration x */
-    out->value[16] = in->angular_acceleration_x + in->angular_acceleration_x_2;
+    out->value[16] = in->angular_acceleration_x + in->d_angular_acceleration_x;
     /* angular_acceleration y */
-    out->value[17] = in->angular_acceleration_y + in->angular_acceleration_y_2;
+    out->value[17] = in->angular_acceleration_y + in->d_angular_acceleration_y;
     /* angular_acceleration z */
-    out->value[18] = in->angular_acceleration_z + in->angular_acceleration_z_2;
+    out->value[18] = in->angular_acceleration_z + in->d_angular_acceleration_z;
     /* heading */
     out->value[19] = heading_moved +
         (6.283185307179586 * floor(0.5 - (0.15915494309189535 * heading_moved)));
-    out->value[20] = in->antenna_1_x + in->antenna_1_x_2;  /* antenna_1 x */
-    out->value[21] = in->antenna_1_y + in->antenna_1_y_2;  /* antenna_1 y */
-    out->value[22] = in->antenna_1_z + in->antenna_1_z_2;  /* antenna_1 z */
-    out->value[23] = in->antenna_2_x + in->antenna_2_x_2;  /* antenna_2 x */
-    out->value[24] = in->antenna_2_y + in->antenna_2_y_2;  /* antenna_2 y */
-    out->value[25] = in->antenna_2_z + in->antenna_2_z_2;  /* antenna_2 z */
+    out->value[20] = in->antenna_1_x + in->d_antenna_1_x;  /* antenna_1 x */
+    out->value[21] = in->antenna_1_y + in->d_antenna_1_y;  /* antenna_1 y */
+    out->value[22] = in->antenna_1_z + in->d_antenna_1_z;  /* antenna_1 z */
+    out->value[23] = in->antenna_2_x + in->d_antenna_2_x;  /* antenna_2 x */
+    out->value[24] = in->antenna_2_y + in->d_antenna_2_y;  /* antenna_2 y */
+    out->value[25] = in->antenna_2_z + in->d_antenna_2_z;  /* antenna_2 z */
 
     return (ekf_cal_online_flag_t)EKF_CAL_ONLINE_OK;
 }

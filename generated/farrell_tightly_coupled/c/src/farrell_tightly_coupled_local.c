@@ -78,37 +78,37 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t local_load_lane(
     outside |= take_centred(x[17 * stride], 1000000000.0, &in->x_g_z);
 
     /* dp [m, in n] */
-    outside |= take_centred(y[0], 1000000.0, &in->dp_x_2);
-    outside |= take_centred(y[stride], 1000000.0, &in->dp_y_2);
-    outside |= take_centred(y[2 * stride], 1000000.0, &in->dp_z_2);
+    outside |= take_centred(y[0], 1000000.0, &in->y_dp_x);
+    outside |= take_centred(y[stride], 1000000.0, &in->y_dp_y);
+    outside |= take_centred(y[2 * stride], 1000000.0, &in->y_dp_z);
 
     /* b_u [m] */
-    outside |= take_centred(y[3 * stride], 100000000.0, &in->b_u_2);
+    outside |= take_centred(y[3 * stride], 100000000.0, &in->y_b_u);
 
     /* dv [m/s, in n] */
-    outside |= take_centred(y[4 * stride], 1000000000.0, &in->dv_x_2);
-    outside |= take_centred(y[5 * stride], 1000000000.0, &in->dv_y_2);
-    outside |= take_centred(y[6 * stride], 1000000000.0, &in->dv_z_2);
+    outside |= take_centred(y[4 * stride], 1000000000.0, &in->y_dv_x);
+    outside |= take_centred(y[5 * stride], 1000000000.0, &in->y_dv_y);
+    outside |= take_centred(y[6 * stride], 1000000000.0, &in->y_dv_z);
 
     /* b_u_dot [m/s] */
-    outside |= take_centred(y[7 * stride], 1000000000.0, &in->b_u_dot_2);
+    outside |= take_centred(y[7 * stride], 1000000000.0, &in->y_b_u_dot);
 
     /* drho [b -> n] */
-    outside |= take_centred(y[8 * stride], 1.00001, &in->drho_w_2);
-    outside |= take_centred(y[9 * stride], 1.00001, &in->drho_x_2);
-    outside |= take_centred(y[10 * stride], 1.00001, &in->drho_y_2);
-    outside |= take_centred(y[11 * stride], 1.00001, &in->drho_z_2);
-    skewed |= is_skewed_quaternion(in->drho_w_2, in->drho_x_2, in->drho_y_2, in->drho_z_2, 1.0e-05);
+    outside |= take_centred(y[8 * stride], 1.00001, &in->y_drho_w);
+    outside |= take_centred(y[9 * stride], 1.00001, &in->y_drho_x);
+    outside |= take_centred(y[10 * stride], 1.00001, &in->y_drho_y);
+    outside |= take_centred(y[11 * stride], 1.00001, &in->y_drho_z);
+    skewed |= is_skewed_quaternion(in->y_drho_w, in->y_drho_x, in->y_drho_y, in->y_drho_z, 1.0e-05);
 
     /* x_a [m/s^2, in b] */
-    outside |= take_centred(y[12 * stride], 1000000000.0, &in->x_a_x_2);
-    outside |= take_centred(y[13 * stride], 1000000000.0, &in->x_a_y_2);
-    outside |= take_centred(y[14 * stride], 1000000000.0, &in->x_a_z_2);
+    outside |= take_centred(y[12 * stride], 1000000000.0, &in->y_x_a_x);
+    outside |= take_centred(y[13 * stride], 1000000000.0, &in->y_x_a_y);
+    outside |= take_centred(y[14 * stride], 1000000000.0, &in->y_x_a_z);
 
     /* x_g [rad/s, in b] */
-    outside |= take_centred(y[15 * stride], 1000000000.0, &in->x_g_x_2);
-    outside |= take_centred(y[16 * stride], 1000000000.0, &in->x_g_y_2);
-    outside |= take_centred(y[17 * stride], 1000000000.0, &in->x_g_z_2);
+    outside |= take_centred(y[15 * stride], 1000000000.0, &in->y_x_g_x);
+    outside |= take_centred(y[16 * stride], 1000000000.0, &in->y_x_g_y);
+    outside |= take_centred(y[17 * stride], 1000000000.0, &in->y_x_g_z);
 
     return ((farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_RANGE * outside) +
         ((farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_QNORM * (skewed & ~outside));
@@ -139,24 +139,24 @@ FARRELL_TIGHTLY_COUPLED_INLINE void local_copy(
     in->x_g_x = x[15 * stride];
     in->x_g_y = x[16 * stride];
     in->x_g_z = x[17 * stride];
-    in->dp_x_2 = y[0];
-    in->dp_y_2 = y[stride];
-    in->dp_z_2 = y[2 * stride];
-    in->b_u_2 = y[3 * stride];
-    in->dv_x_2 = y[4 * stride];
-    in->dv_y_2 = y[5 * stride];
-    in->dv_z_2 = y[6 * stride];
-    in->b_u_dot_2 = y[7 * stride];
-    in->drho_w_2 = y[8 * stride];
-    in->drho_x_2 = y[9 * stride];
-    in->drho_y_2 = y[10 * stride];
-    in->drho_z_2 = y[11 * stride];
-    in->x_a_x_2 = y[12 * stride];
-    in->x_a_y_2 = y[13 * stride];
-    in->x_a_z_2 = y[14 * stride];
-    in->x_g_x_2 = y[15 * stride];
-    in->x_g_y_2 = y[16 * stride];
-    in->x_g_z_2 = y[17 * stride];
+    in->y_dp_x = y[0];
+    in->y_dp_y = y[stride];
+    in->y_dp_z = y[2 * stride];
+    in->y_b_u = y[3 * stride];
+    in->y_dv_x = y[4 * stride];
+    in->y_dv_y = y[5 * stride];
+    in->y_dv_z = y[6 * stride];
+    in->y_b_u_dot = y[7 * stride];
+    in->y_drho_w = y[8 * stride];
+    in->y_drho_x = y[9 * stride];
+    in->y_drho_y = y[10 * stride];
+    in->y_drho_z = y[11 * stride];
+    in->y_x_a_x = y[12 * stride];
+    in->y_x_a_y = y[13 * stride];
+    in->y_x_a_z = y[14 * stride];
+    in->y_x_g_x = y[15 * stride];
+    in->y_x_g_y = y[16 * stride];
+    in->y_x_g_z = y[17 * stride];
 }
 
 /* Store value in full, structural zeros included. */
@@ -192,7 +192,7 @@ FARRELL_TIGHTLY_COUPLED_NARROW farrell_tightly_coupled_status_t farrell_tightly_
 {
     farrell_tightly_coupled_status_t status = FARRELL_TIGHTLY_COUPLED_NULL;
 
-    if ((x != NULL) && (y != NULL) && (value != NULL)) {
+    if ((value != NULL) && (y != NULL) && (x != NULL)) {
         local_input_t in;
         local_output_t out;
 
@@ -285,7 +285,7 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_local_blocks(
 {
     farrell_tightly_coupled_status_t result = FARRELL_TIGHTLY_COUPLED_NULL;
 
-    if ((x != NULL) && (y != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (y != NULL) && (x != NULL)) {
         result = (epochs < 0) ? FARRELL_TIGHTLY_COUPLED_COUNT : FARRELL_TIGHTLY_COUPLED_OK;
         for (ptrdiff_t first = 0; first < epochs; first += FARRELL_TIGHTLY_COUPLED_LOCAL_LANES) {
             const ptrdiff_t rest = epochs - first;
@@ -331,7 +331,7 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_local_batch(
 {
     farrell_tightly_coupled_status_t result = FARRELL_TIGHTLY_COUPLED_NULL;
 
-    if ((x != NULL) && (y != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (y != NULL) && (x != NULL)) {
         local_block_t block;
 
         result = (epochs < 0) ? FARRELL_TIGHTLY_COUPLED_COUNT : FARRELL_TIGHTLY_COUPLED_OK;

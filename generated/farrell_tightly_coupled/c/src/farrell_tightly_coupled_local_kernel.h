@@ -31,24 +31,24 @@ typedef struct {
     farrell_tightly_coupled_real_t x_g_x;  /* rad/s, in b */
     farrell_tightly_coupled_real_t x_g_y;  /* rad/s, in b */
     farrell_tightly_coupled_real_t x_g_z;  /* rad/s, in b */
-    farrell_tightly_coupled_real_t dp_x_2;  /* m, in n */
-    farrell_tightly_coupled_real_t dp_y_2;  /* m, in n */
-    farrell_tightly_coupled_real_t dp_z_2;  /* m, in n */
-    farrell_tightly_coupled_real_t b_u_2;  /* m */
-    farrell_tightly_coupled_real_t dv_x_2;  /* m/s, in n */
-    farrell_tightly_coupled_real_t dv_y_2;  /* m/s, in n */
-    farrell_tightly_coupled_real_t dv_z_2;  /* m/s, in n */
-    farrell_tightly_coupled_real_t b_u_dot_2;  /* m/s */
-    farrell_tightly_coupled_real_t drho_w_2;  /* b -> n */
-    farrell_tightly_coupled_real_t drho_x_2;  /* b -> n */
-    farrell_tightly_coupled_real_t drho_y_2;  /* b -> n */
-    farrell_tightly_coupled_real_t drho_z_2;  /* b -> n */
-    farrell_tightly_coupled_real_t x_a_x_2;  /* m/s^2, in b */
-    farrell_tightly_coupled_real_t x_a_y_2;  /* m/s^2, in b */
-    farrell_tightly_coupled_real_t x_a_z_2;  /* m/s^2, in b */
-    farrell_tightly_coupled_real_t x_g_x_2;  /* rad/s, in b */
-    farrell_tightly_coupled_real_t x_g_y_2;  /* rad/s, in b */
-    farrell_tightly_coupled_real_t x_g_z_2;  /* rad/s, in b */
+    farrell_tightly_coupled_real_t y_dp_x;  /* m, in n */
+    farrell_tightly_coupled_real_t y_dp_y;  /* m, in n */
+    farrell_tightly_coupled_real_t y_dp_z;  /* m, in n */
+    farrell_tightly_coupled_real_t y_b_u;  /* m */
+    farrell_tightly_coupled_real_t y_dv_x;  /* m/s, in n */
+    farrell_tightly_coupled_real_t y_dv_y;  /* m/s, in n */
+    farrell_tightly_coupled_real_t y_dv_z;  /* m/s, in n */
+    farrell_tightly_coupled_real_t y_b_u_dot;  /* m/s */
+    farrell_tightly_coupled_real_t y_drho_w;  /* b -> n */
+    farrell_tightly_coupled_real_t y_drho_x;  /* b -> n */
+    farrell_tightly_coupled_real_t y_drho_y;  /* b -> n */
+    farrell_tightly_coupled_real_t y_drho_z;  /* b -> n */
+    farrell_tightly_coupled_real_t y_x_a_x;  /* m/s^2, in b */
+    farrell_tightly_coupled_real_t y_x_a_y;  /* m/s^2, in b */
+    farrell_tightly_coupled_real_t y_x_a_z;  /* m/s^2, in b */
+    farrell_tightly_coupled_real_t y_x_g_x;  /* rad/s, in b */
+    farrell_tightly_coupled_real_t y_x_g_y;  /* rad/s, in b */
+    farrell_tightly_coupled_real_t y_x_g_z;  /* rad/s, in b */
 } local_input_t;
 
 /** Structural non-zeros of the results of farrell_tightly_coupled_local. */
@@ -97,36 +97,36 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t local_load(
     in->x_g_z = x[17];
 
     /* dp [m, in n] */
-    in->dp_x_2 = y[0];
-    in->dp_y_2 = y[1];
-    in->dp_z_2 = y[2];
+    in->y_dp_x = y[0];
+    in->y_dp_y = y[1];
+    in->y_dp_z = y[2];
 
     /* b_u [m] */
-    in->b_u_2 = y[3];
+    in->y_b_u = y[3];
 
     /* dv [m/s, in n] */
-    in->dv_x_2 = y[4];
-    in->dv_y_2 = y[5];
-    in->dv_z_2 = y[6];
+    in->y_dv_x = y[4];
+    in->y_dv_y = y[5];
+    in->y_dv_z = y[6];
 
     /* b_u_dot [m/s] */
-    in->b_u_dot_2 = y[7];
+    in->y_b_u_dot = y[7];
 
     /* drho [b -> n] */
-    in->drho_w_2 = y[8];
-    in->drho_x_2 = y[9];
-    in->drho_y_2 = y[10];
-    in->drho_z_2 = y[11];
+    in->y_drho_w = y[8];
+    in->y_drho_x = y[9];
+    in->y_drho_y = y[10];
+    in->y_drho_z = y[11];
 
     /* x_a [m/s^2, in b] */
-    in->x_a_x_2 = y[12];
-    in->x_a_y_2 = y[13];
-    in->x_a_z_2 = y[14];
+    in->y_x_a_x = y[12];
+    in->y_x_a_y = y[13];
+    in->y_x_a_z = y[14];
 
     /* x_g [rad/s, in b] */
-    in->x_g_x_2 = y[15];
-    in->x_g_y_2 = y[16];
-    in->x_g_z_2 = y[17];
+    in->y_x_g_x = y[15];
+    in->y_x_g_y = y[16];
+    in->y_x_g_z = y[17];
 
     bool inside = are_three_centred(in->dp_x, in->dp_y, in->dp_z, 1000000.0);
     inside = inside && is_centred(in->b_u, 100000000.0);
@@ -135,17 +135,17 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t local_load(
     inside = inside && are_four_centred(in->drho_w, in->drho_x, in->drho_y, in->drho_z, 1.00001);
     inside = inside && are_three_centred(in->x_a_x, in->x_a_y, in->x_a_z, 1000000000.0);
     inside = inside && are_three_centred(in->x_g_x, in->x_g_y, in->x_g_z, 1000000000.0);
-    inside = inside && are_three_centred(in->dp_x_2, in->dp_y_2, in->dp_z_2, 1000000.0);
-    inside = inside && is_centred(in->b_u_2, 100000000.0);
-    inside = inside && are_three_centred(in->dv_x_2, in->dv_y_2, in->dv_z_2, 1000000000.0);
-    inside = inside && is_centred(in->b_u_dot_2, 1000000000.0);
+    inside = inside && are_three_centred(in->y_dp_x, in->y_dp_y, in->y_dp_z, 1000000.0);
+    inside = inside && is_centred(in->y_b_u, 100000000.0);
+    inside = inside && are_three_centred(in->y_dv_x, in->y_dv_y, in->y_dv_z, 1000000000.0);
+    inside = inside && is_centred(in->y_b_u_dot, 1000000000.0);
     inside = inside &&
-        are_four_centred(in->drho_w_2, in->drho_x_2, in->drho_y_2, in->drho_z_2, 1.00001);
-    inside = inside && are_three_centred(in->x_a_x_2, in->x_a_y_2, in->x_a_z_2, 1000000000.0);
-    inside = inside && are_three_centred(in->x_g_x_2, in->x_g_y_2, in->x_g_z_2, 1000000000.0);
+        are_four_centred(in->y_drho_w, in->y_drho_x, in->y_drho_y, in->y_drho_z, 1.00001);
+    inside = inside && are_three_centred(in->y_x_a_x, in->y_x_a_y, in->y_x_a_z, 1000000000.0);
+    inside = inside && are_three_centred(in->y_x_g_x, in->y_x_g_y, in->y_x_g_z, 1000000000.0);
 
     skewed |= is_skewed_quaternion(in->drho_w, in->drho_x, in->drho_y, in->drho_z, 1.0e-05);
-    skewed |= is_skewed_quaternion(in->drho_w_2, in->drho_x_2, in->drho_y_2, in->drho_z_2, 1.0e-05);
+    skewed |= is_skewed_quaternion(in->y_drho_w, in->y_drho_x, in->y_drho_y, in->y_drho_z, 1.0e-05);
 
     return (!inside) ? (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_RANGE :
         ((skewed != 0U) ?
@@ -157,14 +157,14 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t local_load(
 FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t
     local_kernel(const local_input_t *in, local_output_t *out)
 {
-    const farrell_tightly_coupled_real_t drho_log_of_w = (in->drho_w * in->drho_w_2) +
-        (in->drho_x * in->drho_x_2) + ((in->drho_y * in->drho_y_2) + (in->drho_z * in->drho_z_2));
-    const farrell_tightly_coupled_real_t drho_log_of_x = (in->drho_w * in->drho_x_2) -
-        (in->drho_x * in->drho_w_2) + ((in->drho_y * in->drho_z_2) - (in->drho_z * in->drho_y_2));
-    const farrell_tightly_coupled_real_t drho_log_of_y = (in->drho_w * in->drho_y_2) -
-        (in->drho_x * in->drho_z_2) + ((in->drho_z * in->drho_x_2) - (in->drho_y * in->drho_w_2));
-    const farrell_tightly_coupled_real_t drho_log_of_z = (in->drho_w * in->drho_z_2) -
-        (in->drho_y * in->drho_x_2) + ((in->drho_x * in->drho_y_2) - (in->drho_z * in->drho_w_2));
+    const farrell_tightly_coupled_real_t drho_log_of_w = (in->drho_w * in->y_drho_w) +
+        (in->drho_x * in->y_drho_x) + ((in->drho_y * in->y_drho_y) + (in->drho_z * in->y_drho_z));
+    const farrell_tightly_coupled_real_t drho_log_of_x = (in->drho_w * in->y_drho_x) -
+        (in->drho_x * in->y_drho_w) + ((in->drho_y * in->y_drho_z) - (in->drho_z * in->y_drho_y));
+    const farrell_tightly_coupled_real_t drho_log_of_y = (in->drho_w * in->y_drho_y) -
+        (in->drho_x * in->y_drho_z) + ((in->drho_z * in->y_drho_x) - (in->drho_y * in->y_drho_w));
+    const farrell_tightly_coupled_real_t drho_log_of_z = (in->drho_w * in->y_drho_z) -
+        (in->drho_y * in->y_drho_x) + ((in->drho_x * in->y_drho_y) - (in->drho_z * in->y_drho_w));
     const farrell_tightly_coupled_real_t drho_log_sign = (drho_log_of_w < 0.0) ? (-1.0) : 1.0;
     const farrell_tightly_coupled_real_t drho_log_w = drho_log_of_w * drho_log_sign;
     const farrell_tightly_coupled_real_t drho_log_sine_squared = (drho_log_of_x * drho_log_of_x) +
@@ -190,23 +190,23 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t
         ((2.0 * drho_log_series) / drho_log_cosine) : drho_log_far;
     const farrell_tightly_coupled_real_t drho_log_signed_scale = drho_log_scale * drho_log_sign;
 
-    out->value[0] = in->dp_x_2 - in->dp_x;  /* dp x */
-    out->value[1] = in->dp_y_2 - in->dp_y;  /* dp y */
-    out->value[2] = in->dp_z_2 - in->dp_z;  /* dp z */
-    out->value[3] = in->b_u_2 - in->b_u;  /* b_u */
-    out->value[4] = in->dv_x_2 - in->dv_x;  /* dv x */
-    out->value[5] = in->dv_y_2 - in->dv_y;  /* dv y */
-    out->value[6] = in->dv_z_2 - in->dv_z;  /* dv z */
-    out->value[7] = in->b_u_dot_2 - in->b_u_dot;  /* b_u_dot */
+    out->value[0] = in->y_dp_x - in->dp_x;  /* dp x */
+    out->value[1] = in->y_dp_y - in->dp_y;  /* dp y */
+    out->value[2] = in->y_dp_z - in->dp_z;  /* dp z */
+    out->value[3] = in->y_b_u - in->b_u;  /* b_u */
+    out->value[4] = in->y_dv_x - in->dv_x;  /* dv x */
+    out->value[5] = in->y_dv_y - in->dv_y;  /* dv y */
+    out->value[6] = in->y_dv_z - in->dv_z;  /* dv z */
+    out->value[7] = in->y_b_u_dot - in->b_u_dot;  /* b_u_dot */
     out->value[8] = drho_log_of_x * drho_log_signed_scale;  /* drho x */
     out->value[9] = drho_log_of_y * drho_log_signed_scale;  /* drho y */
     out->value[10] = drho_log_of_z * drho_log_signed_scale;  /* drho z */
-    out->value[11] = in->x_a_x_2 - in->x_a_x;  /* x_a x */
-    out->value[12] = in->x_a_y_2 - in->x_a_y;  /* x_a y */
-    out->value[13] = in->x_a_z_2 - in->x_a_z;  /* x_a z */
-    out->value[14] = in->x_g_x_2 - in->x_g_x;  /* x_g x */
-    out->value[15] = in->x_g_y_2 - in->x_g_y;  /* x_g y */
-    out->value[16] = in->x_g_z_2 - in->x_g_z;  /* x_g z */
+    out->value[11] = in->y_x_a_x - in->x_a_x;  /* x_a x */
+    out->value[12] = in->y_x_a_y - in->x_a_y;  /* x_a y */
+    out->value[13] = in->y_x_a_z - in->x_a_z;  /* x_a z */
+    out->value[14] = in->y_x_g_x - in->x_g_x;  /* x_g x */
+    out->value[15] = in->y_x_g_y - in->x_g_y;  /* x_g y */
+    out->value[16] = in->y_x_g_z - in->x_g_z;  /* x_g z */
 
     return (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK;
 }

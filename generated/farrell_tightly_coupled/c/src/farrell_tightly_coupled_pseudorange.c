@@ -362,9 +362,9 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange(
 {
     farrell_tightly_coupled_status_t status = FARRELL_TIGHTLY_COUPLED_NULL;
 
-    if ((x != NULL) && (c_n_e != NULL) && (origin != NULL) && (satellite_position != NULL) &&
-        (measured != NULL) && (value != NULL) && (residual != NULL) && (jacobian != NULL) &&
-        (item_status != NULL)) {
+    if ((item_status != NULL) && (jacobian != NULL) && (residual != NULL) && (value != NULL) &&
+        (measured != NULL) && (satellite_position != NULL) && (origin != NULL) && (c_n_e != NULL) &&
+        (x != NULL)) {
         status = FARRELL_TIGHTLY_COUPLED_COUNT;
         if ((n >= 0) && (n <= FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS)) {
             status = pseudorange_rows(x, n, c_n_e, origin, satellite_position, measured, value,
@@ -393,8 +393,8 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_value(
 {
     farrell_tightly_coupled_status_t status = FARRELL_TIGHTLY_COUPLED_NULL;
 
-    if ((x != NULL) && (c_n_e != NULL) && (origin != NULL) && (satellite_position != NULL) &&
-        (measured != NULL) && (value != NULL) && (residual != NULL) && (item_status != NULL)) {
+    if ((item_status != NULL) && (residual != NULL) && (value != NULL) && (measured != NULL) &&
+        (satellite_position != NULL) && (origin != NULL) && (c_n_e != NULL) && (x != NULL)) {
         status = FARRELL_TIGHTLY_COUPLED_COUNT;
         if ((n >= 0) && (n <= FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS)) {
             status = pseudorange_rows_value(x, n, c_n_e, origin, satellite_position, measured,
@@ -421,8 +421,8 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_jacobian(
 {
     farrell_tightly_coupled_status_t status = FARRELL_TIGHTLY_COUPLED_NULL;
 
-    if ((x != NULL) && (c_n_e != NULL) && (origin != NULL) && (satellite_position != NULL) &&
-        (measured != NULL) && (jacobian != NULL) && (item_status != NULL)) {
+    if ((item_status != NULL) && (jacobian != NULL) && (measured != NULL) &&
+        (satellite_position != NULL) && (origin != NULL) && (c_n_e != NULL) && (x != NULL)) {
         status = FARRELL_TIGHTLY_COUPLED_COUNT;
         if ((n >= 0) && (n <= FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS)) {
             status = pseudorange_rows_jacobian(x, n, c_n_e, origin, satellite_position, measured,
@@ -541,9 +541,9 @@ FARRELL_TIGHTLY_COUPLED_WIDE farrell_tightly_coupled_status_t
 {
     farrell_tightly_coupled_status_t status = FARRELL_TIGHTLY_COUPLED_NULL;
 
-    if ((x != NULL) && (c_n_e != NULL) && (origin != NULL) && (satellite_position != NULL) &&
-        (measured != NULL) && (value != NULL) && (residual != NULL) && (jacobian_nz != NULL) &&
-        (item_status != NULL)) {
+    if ((item_status != NULL) && (jacobian_nz != NULL) && (residual != NULL) && (value != NULL) &&
+        (measured != NULL) && (satellite_position != NULL) && (origin != NULL) && (c_n_e != NULL) &&
+        (x != NULL)) {
         status = FARRELL_TIGHTLY_COUPLED_COUNT;
         if ((n >= 0) && (n <= FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS)) {
             status = pseudorange_sparse(FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS, x, n, c_n_e,
@@ -574,9 +574,9 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_batch(
 {
     farrell_tightly_coupled_status_t result = FARRELL_TIGHTLY_COUPLED_NULL;
 
-    if ((x != NULL) && (c_n_e != NULL) && (origin != NULL) && (satellite_position != NULL) &&
-        (measured != NULL) && (value != NULL) && (residual != NULL) && (jacobian != NULL) &&
-        (status != NULL) && (item_status != NULL)) {
+    if ((item_status != NULL) && (status != NULL) && (jacobian != NULL) && (residual != NULL) &&
+        (value != NULL) && (measured != NULL) && (satellite_position != NULL) && (origin != NULL) &&
+        (c_n_e != NULL) && (x != NULL)) {
         result = FARRELL_TIGHTLY_COUPLED_COUNT;
         if ((epochs >= 0) && (n >= 0) && (n <= FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS)) {
             result = FARRELL_TIGHTLY_COUPLED_OK;
@@ -620,9 +620,9 @@ FARRELL_TIGHTLY_COUPLED_WIDE farrell_tightly_coupled_status_t
 {
     farrell_tightly_coupled_status_t result = FARRELL_TIGHTLY_COUPLED_NULL;
 
-    if ((x != NULL) && (c_n_e != NULL) && (origin != NULL) && (satellite_position != NULL) &&
-        (measured != NULL) && (value != NULL) && (residual != NULL) && (jacobian_nz != NULL) &&
-        (status != NULL) && (item_status != NULL)) {
+    if ((item_status != NULL) && (status != NULL) && (jacobian_nz != NULL) && (residual != NULL) &&
+        (value != NULL) && (measured != NULL) && (satellite_position != NULL) && (origin != NULL) &&
+        (c_n_e != NULL) && (x != NULL)) {
         result = FARRELL_TIGHTLY_COUPLED_COUNT;
         if ((epochs >= 0) && (n >= 0) && (n <= FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS)) {
             result = FARRELL_TIGHTLY_COUPLED_OK;
@@ -787,9 +787,9 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_sd(
 {
     farrell_tightly_coupled_status_t status = FARRELL_TIGHTLY_COUPLED_NULL;
 
-    if ((x != NULL) && (c_n_e != NULL) && (origin != NULL) && (satellite_position != NULL) &&
-        (measured != NULL) && (value != NULL) && (residual != NULL) && (jacobian != NULL) &&
-        (item_status != NULL)) {
+    if ((item_status != NULL) && (jacobian != NULL) && (residual != NULL) && (value != NULL) &&
+        (measured != NULL) && (satellite_position != NULL) && (origin != NULL) && (c_n_e != NULL) &&
+        (x != NULL)) {
         status = pseudorange_check_reference(n, reference);
         if ((status == FARRELL_TIGHTLY_COUPLED_OK) && (n > 0)) {
             status = pseudorange_differences(x, n, reference, c_n_e, origin, satellite_position,

@@ -340,9 +340,9 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_lever_arm(
 {
     farrell_tightly_coupled_status_t status = FARRELL_TIGHTLY_COUPLED_NULL;
 
-    if ((x != NULL) && (c_n_e != NULL) && (origin != NULL) && (lever_arm != NULL) &&
-        (satellite_position != NULL) && (value != NULL) && (jacobian != NULL) &&
-        (item_status != NULL)) {
+    if ((item_status != NULL) && (jacobian != NULL) && (value != NULL) &&
+        (satellite_position != NULL) && (lever_arm != NULL) && (origin != NULL) &&
+        (c_n_e != NULL) && (x != NULL)) {
         status = FARRELL_TIGHTLY_COUPLED_COUNT;
         if ((n >= 0) && (n <= FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS)) {
             status = pseudorange_lever_arm_rows(x, n, c_n_e, origin, lever_arm, satellite_position,
@@ -368,8 +368,8 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_lever_arm_v
 {
     farrell_tightly_coupled_status_t status = FARRELL_TIGHTLY_COUPLED_NULL;
 
-    if ((x != NULL) && (c_n_e != NULL) && (origin != NULL) && (lever_arm != NULL) &&
-        (satellite_position != NULL) && (value != NULL) && (item_status != NULL)) {
+    if ((item_status != NULL) && (value != NULL) && (satellite_position != NULL) &&
+        (lever_arm != NULL) && (origin != NULL) && (c_n_e != NULL) && (x != NULL)) {
         status = FARRELL_TIGHTLY_COUPLED_COUNT;
         if ((n >= 0) && (n <= FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS)) {
             status = pseudorange_lever_arm_rows_value(x, n, c_n_e, origin, lever_arm,
@@ -395,8 +395,8 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_lever_arm_j
 {
     farrell_tightly_coupled_status_t status = FARRELL_TIGHTLY_COUPLED_NULL;
 
-    if ((x != NULL) && (c_n_e != NULL) && (origin != NULL) && (lever_arm != NULL) &&
-        (satellite_position != NULL) && (jacobian != NULL) && (item_status != NULL)) {
+    if ((item_status != NULL) && (jacobian != NULL) && (satellite_position != NULL) &&
+        (lever_arm != NULL) && (origin != NULL) && (c_n_e != NULL) && (x != NULL)) {
         status = FARRELL_TIGHTLY_COUPLED_COUNT;
         if ((n >= 0) && (n <= FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS)) {
             status = pseudorange_lever_arm_rows_jacobian(x, n, c_n_e, origin, lever_arm,
@@ -507,9 +507,9 @@ FARRELL_TIGHTLY_COUPLED_WIDE farrell_tightly_coupled_status_t
 {
     farrell_tightly_coupled_status_t status = FARRELL_TIGHTLY_COUPLED_NULL;
 
-    if ((x != NULL) && (c_n_e != NULL) && (origin != NULL) && (lever_arm != NULL) &&
-        (satellite_position != NULL) && (value != NULL) && (jacobian_nz != NULL) &&
-        (item_status != NULL)) {
+    if ((item_status != NULL) && (jacobian_nz != NULL) && (value != NULL) &&
+        (satellite_position != NULL) && (lever_arm != NULL) && (origin != NULL) &&
+        (c_n_e != NULL) && (x != NULL)) {
         status = FARRELL_TIGHTLY_COUPLED_COUNT;
         if ((n >= 0) && (n <= FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS)) {
             status =
@@ -541,9 +541,9 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_lever_arm_b
 {
     farrell_tightly_coupled_status_t result = FARRELL_TIGHTLY_COUPLED_NULL;
 
-    if ((x != NULL) && (c_n_e != NULL) && (origin != NULL) && (lever_arm != NULL) &&
-        (satellite_position != NULL) && (value != NULL) && (jacobian != NULL) && (status != NULL) &&
-        (item_status != NULL)) {
+    if ((item_status != NULL) && (status != NULL) && (jacobian != NULL) && (value != NULL) &&
+        (satellite_position != NULL) && (lever_arm != NULL) && (origin != NULL) &&
+        (c_n_e != NULL) && (x != NULL)) {
         result = FARRELL_TIGHTLY_COUPLED_COUNT;
         if ((epochs >= 0) && (n >= 0) &&
             (n <= FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS)) {
@@ -586,9 +586,9 @@ FARRELL_TIGHTLY_COUPLED_WIDE farrell_tightly_coupled_status_t
 {
     farrell_tightly_coupled_status_t result = FARRELL_TIGHTLY_COUPLED_NULL;
 
-    if ((x != NULL) && (c_n_e != NULL) && (origin != NULL) && (lever_arm != NULL) &&
-        (satellite_position != NULL) && (value != NULL) && (jacobian_nz != NULL) &&
-        (status != NULL) && (item_status != NULL)) {
+    if ((item_status != NULL) && (status != NULL) && (jacobian_nz != NULL) && (value != NULL) &&
+        (satellite_position != NULL) && (lever_arm != NULL) && (origin != NULL) &&
+        (c_n_e != NULL) && (x != NULL)) {
         result = FARRELL_TIGHTLY_COUPLED_COUNT;
         if ((epochs >= 0) && (n >= 0) &&
             (n <= FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS)) {
@@ -749,9 +749,9 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_lever_arm_s
 {
     farrell_tightly_coupled_status_t status = FARRELL_TIGHTLY_COUPLED_NULL;
 
-    if ((x != NULL) && (c_n_e != NULL) && (origin != NULL) && (lever_arm != NULL) &&
-        (satellite_position != NULL) && (value != NULL) && (jacobian != NULL) &&
-        (item_status != NULL)) {
+    if ((item_status != NULL) && (jacobian != NULL) && (value != NULL) &&
+        (satellite_position != NULL) && (lever_arm != NULL) && (origin != NULL) &&
+        (c_n_e != NULL) && (x != NULL)) {
         status = pseudorange_lever_arm_check_reference(n, reference);
         if ((status == FARRELL_TIGHTLY_COUPLED_OK) && (n > 0)) {
             status = pseudorange_lever_arm_differences(x, n, reference, c_n_e, origin, lever_arm,

@@ -79,35 +79,35 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t retract_load_lane(
     outside |= take_centred(x[17 * stride], 1000000000.0, &in->x_g_z);
 
     /* dp [m, in n] */
-    outside |= take_centred(d[0], 1000000000.0, &in->dp_x_2);
-    outside |= take_centred(d[stride], 1000000000.0, &in->dp_y_2);
-    outside |= take_centred(d[2 * stride], 1000000000.0, &in->dp_z_2);
+    outside |= take_centred(d[0], 1000000000.0, &in->d_dp_x);
+    outside |= take_centred(d[stride], 1000000000.0, &in->d_dp_y);
+    outside |= take_centred(d[2 * stride], 1000000000.0, &in->d_dp_z);
 
     /* b_u [m] */
-    outside |= take_centred(d[3 * stride], 1000000000.0, &in->b_u_2);
+    outside |= take_centred(d[3 * stride], 1000000000.0, &in->d_b_u);
 
     /* dv [m/s, in n] */
-    outside |= take_centred(d[4 * stride], 1000000000.0, &in->dv_x_2);
-    outside |= take_centred(d[5 * stride], 1000000000.0, &in->dv_y_2);
-    outside |= take_centred(d[6 * stride], 1000000000.0, &in->dv_z_2);
+    outside |= take_centred(d[4 * stride], 1000000000.0, &in->d_dv_x);
+    outside |= take_centred(d[5 * stride], 1000000000.0, &in->d_dv_y);
+    outside |= take_centred(d[6 * stride], 1000000000.0, &in->d_dv_z);
 
     /* b_u_dot [m/s] */
-    outside |= take_centred(d[7 * stride], 1000000000.0, &in->b_u_dot_2);
+    outside |= take_centred(d[7 * stride], 1000000000.0, &in->d_b_u_dot);
 
     /* drho [rad, in n] */
-    outside |= take_centred(d[8 * stride], 6.0, &in->drho_x_2);
-    outside |= take_centred(d[9 * stride], 6.0, &in->drho_y_2);
-    outside |= take_centred(d[10 * stride], 6.0, &in->drho_z_2);
+    outside |= take_centred(d[8 * stride], 6.0, &in->d_drho_x);
+    outside |= take_centred(d[9 * stride], 6.0, &in->d_drho_y);
+    outside |= take_centred(d[10 * stride], 6.0, &in->d_drho_z);
 
     /* x_a [m/s^2, in b] */
-    outside |= take_centred(d[11 * stride], 1000000000.0, &in->x_a_x_2);
-    outside |= take_centred(d[12 * stride], 1000000000.0, &in->x_a_y_2);
-    outside |= take_centred(d[13 * stride], 1000000000.0, &in->x_a_z_2);
+    outside |= take_centred(d[11 * stride], 1000000000.0, &in->d_x_a_x);
+    outside |= take_centred(d[12 * stride], 1000000000.0, &in->d_x_a_y);
+    outside |= take_centred(d[13 * stride], 1000000000.0, &in->d_x_a_z);
 
     /* x_g [rad/s, in b] */
-    outside |= take_centred(d[14 * stride], 1000000000.0, &in->x_g_x_2);
-    outside |= take_centred(d[15 * stride], 1000000000.0, &in->x_g_y_2);
-    outside |= take_centred(d[16 * stride], 1000000000.0, &in->x_g_z_2);
+    outside |= take_centred(d[14 * stride], 1000000000.0, &in->d_x_g_x);
+    outside |= take_centred(d[15 * stride], 1000000000.0, &in->d_x_g_y);
+    outside |= take_centred(d[16 * stride], 1000000000.0, &in->d_x_g_z);
 
     return ((farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_RANGE * outside) +
         ((farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_QNORM * (skewed & ~outside));
@@ -138,23 +138,23 @@ FARRELL_TIGHTLY_COUPLED_INLINE void retract_copy(
     in->x_g_x = x[15 * stride];
     in->x_g_y = x[16 * stride];
     in->x_g_z = x[17 * stride];
-    in->dp_x_2 = d[0];
-    in->dp_y_2 = d[stride];
-    in->dp_z_2 = d[2 * stride];
-    in->b_u_2 = d[3 * stride];
-    in->dv_x_2 = d[4 * stride];
-    in->dv_y_2 = d[5 * stride];
-    in->dv_z_2 = d[6 * stride];
-    in->b_u_dot_2 = d[7 * stride];
-    in->drho_x_2 = d[8 * stride];
-    in->drho_y_2 = d[9 * stride];
-    in->drho_z_2 = d[10 * stride];
-    in->x_a_x_2 = d[11 * stride];
-    in->x_a_y_2 = d[12 * stride];
-    in->x_a_z_2 = d[13 * stride];
-    in->x_g_x_2 = d[14 * stride];
-    in->x_g_y_2 = d[15 * stride];
-    in->x_g_z_2 = d[16 * stride];
+    in->d_dp_x = d[0];
+    in->d_dp_y = d[stride];
+    in->d_dp_z = d[2 * stride];
+    in->d_b_u = d[3 * stride];
+    in->d_dv_x = d[4 * stride];
+    in->d_dv_y = d[5 * stride];
+    in->d_dv_z = d[6 * stride];
+    in->d_b_u_dot = d[7 * stride];
+    in->d_drho_x = d[8 * stride];
+    in->d_drho_y = d[9 * stride];
+    in->d_drho_z = d[10 * stride];
+    in->d_x_a_x = d[11 * stride];
+    in->d_x_a_y = d[12 * stride];
+    in->d_x_a_z = d[13 * stride];
+    in->d_x_g_x = d[14 * stride];
+    in->d_x_g_y = d[15 * stride];
+    in->d_x_g_z = d[16 * stride];
 }
 
 /* Store value in full, structural zeros included. */
@@ -191,7 +191,7 @@ FARRELL_TIGHTLY_COUPLED_NARROW farrell_tightly_coupled_status_t farrell_tightly_
 {
     farrell_tightly_coupled_status_t status = FARRELL_TIGHTLY_COUPLED_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL)) {
+    if ((value != NULL) && (d != NULL) && (x != NULL)) {
         retract_input_t in;
         retract_output_t out;
 
@@ -284,7 +284,7 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_retract_blocks(
 {
     farrell_tightly_coupled_status_t result = FARRELL_TIGHTLY_COUPLED_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (d != NULL) && (x != NULL)) {
         result = (epochs < 0) ? FARRELL_TIGHTLY_COUPLED_COUNT : FARRELL_TIGHTLY_COUPLED_OK;
         for (ptrdiff_t first = 0; first < epochs; first += FARRELL_TIGHTLY_COUPLED_RETRACT_LANES) {
             const ptrdiff_t rest = epochs - first;
@@ -330,7 +330,7 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_retract_batch(
 {
     farrell_tightly_coupled_status_t result = FARRELL_TIGHTLY_COUPLED_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (d != NULL) && (x != NULL)) {
         retract_block_t block;
 
         result = (epochs < 0) ? FARRELL_TIGHTLY_COUPLED_COUNT : FARRELL_TIGHTLY_COUPLED_OK;

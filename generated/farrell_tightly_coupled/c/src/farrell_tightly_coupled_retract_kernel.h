@@ -32,23 +32,23 @@ typedef struct {
     farrell_tightly_coupled_real_t x_g_x;  /* rad/s, in b */
     farrell_tightly_coupled_real_t x_g_y;  /* rad/s, in b */
     farrell_tightly_coupled_real_t x_g_z;  /* rad/s, in b */
-    farrell_tightly_coupled_real_t dp_x_2;  /* m, in n */
-    farrell_tightly_coupled_real_t dp_y_2;  /* m, in n */
-    farrell_tightly_coupled_real_t dp_z_2;  /* m, in n */
-    farrell_tightly_coupled_real_t b_u_2;  /* m */
-    farrell_tightly_coupled_real_t dv_x_2;  /* m/s, in n */
-    farrell_tightly_coupled_real_t dv_y_2;  /* m/s, in n */
-    farrell_tightly_coupled_real_t dv_z_2;  /* m/s, in n */
-    farrell_tightly_coupled_real_t b_u_dot_2;  /* m/s */
-    farrell_tightly_coupled_real_t drho_x_2;  /* rad, in n */
-    farrell_tightly_coupled_real_t drho_y_2;  /* rad, in n */
-    farrell_tightly_coupled_real_t drho_z_2;  /* rad, in n */
-    farrell_tightly_coupled_real_t x_a_x_2;  /* m/s^2, in b */
-    farrell_tightly_coupled_real_t x_a_y_2;  /* m/s^2, in b */
-    farrell_tightly_coupled_real_t x_a_z_2;  /* m/s^2, in b */
-    farrell_tightly_coupled_real_t x_g_x_2;  /* rad/s, in b */
-    farrell_tightly_coupled_real_t x_g_y_2;  /* rad/s, in b */
-    farrell_tightly_coupled_real_t x_g_z_2;  /* rad/s, in b */
+    farrell_tightly_coupled_real_t d_dp_x;  /* m, in n */
+    farrell_tightly_coupled_real_t d_dp_y;  /* m, in n */
+    farrell_tightly_coupled_real_t d_dp_z;  /* m, in n */
+    farrell_tightly_coupled_real_t d_b_u;  /* m */
+    farrell_tightly_coupled_real_t d_dv_x;  /* m/s, in n */
+    farrell_tightly_coupled_real_t d_dv_y;  /* m/s, in n */
+    farrell_tightly_coupled_real_t d_dv_z;  /* m/s, in n */
+    farrell_tightly_coupled_real_t d_b_u_dot;  /* m/s */
+    farrell_tightly_coupled_real_t d_drho_x;  /* rad, in n */
+    farrell_tightly_coupled_real_t d_drho_y;  /* rad, in n */
+    farrell_tightly_coupled_real_t d_drho_z;  /* rad, in n */
+    farrell_tightly_coupled_real_t d_x_a_x;  /* m/s^2, in b */
+    farrell_tightly_coupled_real_t d_x_a_y;  /* m/s^2, in b */
+    farrell_tightly_coupled_real_t d_x_a_z;  /* m/s^2, in b */
+    farrell_tightly_coupled_real_t d_x_g_x;  /* rad/s, in b */
+    farrell_tightly_coupled_real_t d_x_g_y;  /* rad/s, in b */
+    farrell_tightly_coupled_real_t d_x_g_z;  /* rad/s, in b */
 } retract_input_t;
 
 /** Structural non-zeros of the results of farrell_tightly_coupled_retract. */
@@ -97,35 +97,35 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t retract_load(
     in->x_g_z = x[17];
 
     /* dp [m, in n] */
-    in->dp_x_2 = d[0];
-    in->dp_y_2 = d[1];
-    in->dp_z_2 = d[2];
+    in->d_dp_x = d[0];
+    in->d_dp_y = d[1];
+    in->d_dp_z = d[2];
 
     /* b_u [m] */
-    in->b_u_2 = d[3];
+    in->d_b_u = d[3];
 
     /* dv [m/s, in n] */
-    in->dv_x_2 = d[4];
-    in->dv_y_2 = d[5];
-    in->dv_z_2 = d[6];
+    in->d_dv_x = d[4];
+    in->d_dv_y = d[5];
+    in->d_dv_z = d[6];
 
     /* b_u_dot [m/s] */
-    in->b_u_dot_2 = d[7];
+    in->d_b_u_dot = d[7];
 
     /* drho [rad, in n] */
-    in->drho_x_2 = d[8];
-    in->drho_y_2 = d[9];
-    in->drho_z_2 = d[10];
+    in->d_drho_x = d[8];
+    in->d_drho_y = d[9];
+    in->d_drho_z = d[10];
 
     /* x_a [m/s^2, in b] */
-    in->x_a_x_2 = d[11];
-    in->x_a_y_2 = d[12];
-    in->x_a_z_2 = d[13];
+    in->d_x_a_x = d[11];
+    in->d_x_a_y = d[12];
+    in->d_x_a_z = d[13];
 
     /* x_g [rad/s, in b] */
-    in->x_g_x_2 = d[14];
-    in->x_g_y_2 = d[15];
-    in->x_g_z_2 = d[16];
+    in->d_x_g_x = d[14];
+    in->d_x_g_y = d[15];
+    in->d_x_g_z = d[16];
 
     bool inside = are_three_centred(in->dp_x, in->dp_y, in->dp_z, 1000000.0);
     inside = inside && is_centred(in->b_u, 100000000.0);
@@ -134,13 +134,13 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t retract_load(
     inside = inside && are_four_centred(in->drho_w, in->drho_x, in->drho_y, in->drho_z, 1.00001);
     inside = inside && are_three_centred(in->x_a_x, in->x_a_y, in->x_a_z, 1000000000.0);
     inside = inside && are_three_centred(in->x_g_x, in->x_g_y, in->x_g_z, 1000000000.0);
-    inside = inside && are_three_centred(in->dp_x_2, in->dp_y_2, in->dp_z_2, 1000000000.0);
-    inside = inside && is_centred(in->b_u_2, 1000000000.0);
-    inside = inside && are_three_centred(in->dv_x_2, in->dv_y_2, in->dv_z_2, 1000000000.0);
-    inside = inside && is_centred(in->b_u_dot_2, 1000000000.0);
-    inside = inside && are_three_centred(in->drho_x_2, in->drho_y_2, in->drho_z_2, 6.0);
-    inside = inside && are_three_centred(in->x_a_x_2, in->x_a_y_2, in->x_a_z_2, 1000000000.0);
-    inside = inside && are_three_centred(in->x_g_x_2, in->x_g_y_2, in->x_g_z_2, 1000000000.0);
+    inside = inside && are_three_centred(in->d_dp_x, in->d_dp_y, in->d_dp_z, 1000000000.0);
+    inside = inside && is_centred(in->d_b_u, 1000000000.0);
+    inside = inside && are_three_centred(in->d_dv_x, in->d_dv_y, in->d_dv_z, 1000000000.0);
+    inside = inside && is_centred(in->d_b_u_dot, 1000000000.0);
+    inside = inside && are_three_centred(in->d_drho_x, in->d_drho_y, in->d_drho_z, 6.0);
+    inside = inside && are_three_centred(in->d_x_a_x, in->d_x_a_y, in->d_x_a_z, 1000000000.0);
+    inside = inside && are_three_centred(in->d_x_g_x, in->d_x_g_y, in->d_x_g_z, 1000000000.0);
 
     skewed |= is_skewed_quaternion(in->drho_w, in->drho_x, in->drho_y, in->drho_z, 1.0e-05);
 
@@ -155,8 +155,8 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t retract_kernel(
     const retract_input_t *in,
     retract_output_t *out)
 {
-    const farrell_tightly_coupled_real_t drho_exp_angle_squared = (in->drho_x_2 * in->drho_x_2) +
-        (in->drho_y_2 * in->drho_y_2) + (in->drho_z_2 * in->drho_z_2);
+    const farrell_tightly_coupled_real_t drho_exp_angle_squared = (in->d_drho_x * in->d_drho_x) +
+        (in->d_drho_y * in->d_drho_y) + (in->d_drho_z * in->d_drho_z);
     const farrell_tightly_coupled_real_t drho_exp_safe_squared = (drho_exp_angle_squared < 0.01) ?
         1.0 : drho_exp_angle_squared;
     const farrell_tightly_coupled_real_t drho_exp_angle = sqrt(drho_exp_safe_squared);
@@ -177,18 +177,18 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t retract_kernel(
         drho_exp_near_cosine : drho_exp_far_cosine;
     const farrell_tightly_coupled_real_t drho_exp_sinc = (drho_exp_angle_squared < 0.01) ?
         drho_exp_near_sinc : drho_exp_far_sinc;
-    const farrell_tightly_coupled_real_t drho_step_x = in->drho_x_2 * drho_exp_sinc;
-    const farrell_tightly_coupled_real_t drho_step_y = in->drho_y_2 * drho_exp_sinc;
-    const farrell_tightly_coupled_real_t drho_step_z = in->drho_z_2 * drho_exp_sinc;
+    const farrell_tightly_coupled_real_t drho_step_x = in->d_drho_x * drho_exp_sinc;
+    const farrell_tightly_coupled_real_t drho_step_y = in->d_drho_y * drho_exp_sinc;
+    const farrell_tightly_coupled_real_t drho_step_z = in->d_drho_z * drho_exp_sinc;
 
-    out->value[0] = in->dp_x_2 + in->dp_x;  /* dp x */
-    out->value[1] = in->dp_y_2 + in->dp_y;  /* dp y */
-    out->value[2] = in->dp_z_2 + in->dp_z;  /* dp z */
-    out->value[3] = in->b_u + in->b_u_2;  /* b_u */
-    out->value[4] = in->dv_x_2 + in->dv_x;  /* dv x */
-    out->value[5] = in->dv_y_2 + in->dv_y;  /* dv y */
-    out->value[6] = in->dv_z_2 + in->dv_z;  /* dv z */
-    out->value[7] = in->b_u_dot + in->b_u_dot_2;  /* b_u_dot */
+    out->value[0] = in->d_dp_x + in->dp_x;  /* dp x */
+    out->value[1] = in->d_dp_y + in->dp_y;  /* dp y */
+    out->value[2] = in->d_dp_z + in->dp_z;  /* dp z */
+    out->value[3] = in->b_u + in->d_b_u;  /* b_u */
+    out->value[4] = in->d_dv_x + in->dv_x;  /* dv x */
+    out->value[5] = in->d_dv_y + in->dv_y;  /* dv y */
+    out->value[6] = in->d_dv_z + in->dv_z;  /* dv z */
+    out->value[7] = in->b_u_dot + in->d_b_u_dot;  /* b_u_dot */
     /* drho w */
     out->value[8] = (drho_exp_cosine * in->drho_w) - (drho_step_x * in->drho_x) -
         ((drho_step_y * in->drho_y) + (drho_step_z * in->drho_z));
@@ -201,12 +201,12 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t retract_kernel(
     /* drho z */
     out->value[11] = (drho_exp_cosine * in->drho_z) + (drho_step_x * in->drho_y) +
         ((drho_step_z * in->drho_w) - (drho_step_y * in->drho_x));
-    out->value[12] = in->x_a_x_2 + in->x_a_x;  /* x_a x */
-    out->value[13] = in->x_a_y_2 + in->x_a_y;  /* x_a y */
-    out->value[14] = in->x_a_z_2 + in->x_a_z;  /* x_a z */
-    out->value[15] = in->x_g_x_2 + in->x_g_x;  /* x_g x */
-    out->value[16] = in->x_g_y_2 + in->x_g_y;  /* x_g y */
-    out->value[17] = in->x_g_z_2 + in->x_g_z;  /* x_g z */
+    out->value[12] = in->d_x_a_x + in->x_a_x;  /* x_a x */
+    out->value[13] = in->d_x_a_y + in->x_a_y;  /* x_a y */
+    out->value[14] = in->d_x_a_z + in->x_a_z;  /* x_a z */
+    out->value[15] = in->d_x_g_x + in->x_g_x;  /* x_g x */
+    out->value[16] = in->d_x_g_y + in->x_g_y;  /* x_g y */
+    out->value[17] = in->d_x_g_z + in->x_g_z;  /* x_g z */
 
     return (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK;
 }

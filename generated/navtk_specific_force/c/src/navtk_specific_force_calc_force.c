@@ -234,9 +234,9 @@ NAVTK_SPECIFIC_FORCE_NARROW navtk_specific_force_status_t navtk_specific_force_c
 {
     navtk_specific_force_status_t status = NAVTK_SPECIFIC_FORCE_NULL;
 
-    if ((dcm != NULL) && (delta_theta != NULL) && (delta_velocity != NULL) && (dt != NULL) &&
-        (value != NULL) && (jacobian_dcm != NULL) && (jacobian_delta_theta != NULL) &&
-        (jacobian_delta_velocity != NULL) && (jacobian_dt != NULL)) {
+    if ((jacobian_dt != NULL) && (jacobian_delta_velocity != NULL) &&
+        (jacobian_delta_theta != NULL) && (jacobian_dcm != NULL) && (value != NULL) &&
+        (dt != NULL) && (delta_velocity != NULL) && (delta_theta != NULL) && (dcm != NULL)) {
         calc_force_input_t in;
         calc_force_output_t out;
 
@@ -266,8 +266,8 @@ NAVTK_SPECIFIC_FORCE_NARROW navtk_specific_force_status_t navtk_specific_force_c
 {
     navtk_specific_force_status_t status = NAVTK_SPECIFIC_FORCE_NULL;
 
-    if ((dcm != NULL) && (delta_theta != NULL) && (delta_velocity != NULL) && (dt != NULL) &&
-        (value != NULL)) {
+    if ((value != NULL) && (dt != NULL) && (delta_velocity != NULL) && (delta_theta != NULL) &&
+        (dcm != NULL)) {
         calc_force_input_t in;
         calc_force_output_t out;
 
@@ -295,9 +295,9 @@ NAVTK_SPECIFIC_FORCE_NARROW navtk_specific_force_status_t navtk_specific_force_c
 {
     navtk_specific_force_status_t status = NAVTK_SPECIFIC_FORCE_NULL;
 
-    if ((dcm != NULL) && (delta_theta != NULL) && (delta_velocity != NULL) && (dt != NULL) &&
-        (jacobian_dcm != NULL) && (jacobian_delta_theta != NULL) &&
-        (jacobian_delta_velocity != NULL) && (jacobian_dt != NULL)) {
+    if ((jacobian_dt != NULL) && (jacobian_delta_velocity != NULL) &&
+        (jacobian_delta_theta != NULL) && (jacobian_dcm != NULL) && (dt != NULL) &&
+        (delta_velocity != NULL) && (delta_theta != NULL) && (dcm != NULL)) {
         calc_force_input_t in;
         calc_force_output_t out;
 
@@ -330,9 +330,9 @@ NAVTK_SPECIFIC_FORCE_NARROW navtk_specific_force_status_t navtk_specific_force_c
 {
     navtk_specific_force_status_t status = NAVTK_SPECIFIC_FORCE_NULL;
 
-    if ((dcm != NULL) && (delta_theta != NULL) && (delta_velocity != NULL) && (dt != NULL) &&
-        (value != NULL) && (jacobian_dcm_nz != NULL) && (jacobian_delta_theta_nz != NULL) &&
-        (jacobian_delta_velocity_nz != NULL) && (jacobian_dt_nz != NULL)) {
+    if ((jacobian_dt_nz != NULL) && (jacobian_delta_velocity_nz != NULL) &&
+        (jacobian_delta_theta_nz != NULL) && (jacobian_dcm_nz != NULL) && (value != NULL) &&
+        (dt != NULL) && (delta_velocity != NULL) && (delta_theta != NULL) && (dcm != NULL)) {
         calc_force_input_t in;
         calc_force_output_t out;
 
@@ -464,9 +464,9 @@ navtk_specific_force_status_t navtk_specific_force_calc_force_blocks(
 {
     navtk_specific_force_status_t result = NAVTK_SPECIFIC_FORCE_NULL;
 
-    if ((dcm != NULL) && (delta_theta != NULL) && (delta_velocity != NULL) && (dt != NULL) &&
-        (value != NULL) && (jacobian_dcm_nz != NULL) && (jacobian_delta_theta_nz != NULL) &&
-        (jacobian_delta_velocity_nz != NULL) && (jacobian_dt_nz != NULL) && (status != NULL)) {
+    if ((status != NULL) && (jacobian_dt_nz != NULL) && (jacobian_delta_velocity_nz != NULL) &&
+        (jacobian_delta_theta_nz != NULL) && (jacobian_dcm_nz != NULL) && (value != NULL) &&
+        (dt != NULL) && (delta_velocity != NULL) && (delta_theta != NULL) && (dcm != NULL)) {
         result = (epochs < 0) ? NAVTK_SPECIFIC_FORCE_COUNT : NAVTK_SPECIFIC_FORCE_OK;
         for (ptrdiff_t first = 0; first < epochs; first += NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES) {
             const ptrdiff_t rest = epochs - first;
@@ -537,9 +537,9 @@ navtk_specific_force_status_t navtk_specific_force_calc_force_batch(
 {
     navtk_specific_force_status_t result = NAVTK_SPECIFIC_FORCE_NULL;
 
-    if ((dcm != NULL) && (delta_theta != NULL) && (delta_velocity != NULL) && (dt != NULL) &&
-        (value != NULL) && (jacobian_dcm != NULL) && (jacobian_delta_theta != NULL) &&
-        (jacobian_delta_velocity != NULL) && (jacobian_dt != NULL) && (status != NULL)) {
+    if ((status != NULL) && (jacobian_dt != NULL) && (jacobian_delta_velocity != NULL) &&
+        (jacobian_delta_theta != NULL) && (jacobian_dcm != NULL) && (value != NULL) &&
+        (dt != NULL) && (delta_velocity != NULL) && (delta_theta != NULL) && (dcm != NULL)) {
         calc_force_block_t block;
 
         result = (epochs < 0) ? NAVTK_SPECIFIC_FORCE_COUNT : NAVTK_SPECIFIC_FORCE_OK;
@@ -598,9 +598,9 @@ navtk_specific_force_status_t navtk_specific_force_calc_force_batch_nz(
 {
     navtk_specific_force_status_t result = NAVTK_SPECIFIC_FORCE_NULL;
 
-    if ((dcm != NULL) && (delta_theta != NULL) && (delta_velocity != NULL) && (dt != NULL) &&
-        (value != NULL) && (jacobian_dcm_nz != NULL) && (jacobian_delta_theta_nz != NULL) &&
-        (jacobian_delta_velocity_nz != NULL) && (jacobian_dt_nz != NULL) && (status != NULL)) {
+    if ((status != NULL) && (jacobian_dt_nz != NULL) && (jacobian_delta_velocity_nz != NULL) &&
+        (jacobian_delta_theta_nz != NULL) && (jacobian_dcm_nz != NULL) && (value != NULL) &&
+        (dt != NULL) && (delta_velocity != NULL) && (delta_theta != NULL) && (dcm != NULL)) {
         calc_force_block_t block;
 
         result = (epochs < 0) ? NAVTK_SPECIFIC_FORCE_COUNT : NAVTK_SPECIFIC_FORCE_OK;

@@ -295,9 +295,9 @@ NAVTK_SPECIFIC_FORCE_NARROW navtk_specific_force_status_t navtk_specific_force_f
 {
     navtk_specific_force_status_t status = NAVTK_SPECIFIC_FORCE_NULL;
 
-    if ((x != NULL) && (delta_theta != NULL) && (delta_velocity != NULL) && (dt != NULL) &&
-        (value != NULL) && (jacobian != NULL) && (jacobian_delta_theta != NULL) &&
-        (jacobian_delta_velocity != NULL) && (jacobian_dt != NULL)) {
+    if ((jacobian_dt != NULL) && (jacobian_delta_velocity != NULL) &&
+        (jacobian_delta_theta != NULL) && (jacobian != NULL) && (value != NULL) && (dt != NULL) &&
+        (delta_velocity != NULL) && (delta_theta != NULL) && (x != NULL)) {
         force_input_t in;
         force_output_t out;
 
@@ -327,8 +327,8 @@ NAVTK_SPECIFIC_FORCE_NARROW navtk_specific_force_status_t navtk_specific_force_f
 {
     navtk_specific_force_status_t status = NAVTK_SPECIFIC_FORCE_NULL;
 
-    if ((x != NULL) && (delta_theta != NULL) && (delta_velocity != NULL) && (dt != NULL) &&
-        (value != NULL)) {
+    if ((value != NULL) && (dt != NULL) && (delta_velocity != NULL) && (delta_theta != NULL) &&
+        (x != NULL)) {
         force_input_t in;
         force_output_t out;
 
@@ -356,9 +356,9 @@ NAVTK_SPECIFIC_FORCE_NARROW navtk_specific_force_status_t navtk_specific_force_f
 {
     navtk_specific_force_status_t status = NAVTK_SPECIFIC_FORCE_NULL;
 
-    if ((x != NULL) && (delta_theta != NULL) && (delta_velocity != NULL) && (dt != NULL) &&
-        (jacobian != NULL) && (jacobian_delta_theta != NULL) && (jacobian_delta_velocity != NULL) &&
-        (jacobian_dt != NULL)) {
+    if ((jacobian_dt != NULL) && (jacobian_delta_velocity != NULL) &&
+        (jacobian_delta_theta != NULL) && (jacobian != NULL) && (dt != NULL) &&
+        (delta_velocity != NULL) && (delta_theta != NULL) && (x != NULL)) {
         force_input_t in;
         force_output_t out;
 
@@ -391,9 +391,9 @@ NAVTK_SPECIFIC_FORCE_NARROW navtk_specific_force_status_t navtk_specific_force_f
 {
     navtk_specific_force_status_t status = NAVTK_SPECIFIC_FORCE_NULL;
 
-    if ((x != NULL) && (delta_theta != NULL) && (delta_velocity != NULL) && (dt != NULL) &&
-        (value != NULL) && (jacobian_nz != NULL) && (jacobian_delta_theta_nz != NULL) &&
-        (jacobian_delta_velocity_nz != NULL) && (jacobian_dt_nz != NULL)) {
+    if ((jacobian_dt_nz != NULL) && (jacobian_delta_velocity_nz != NULL) &&
+        (jacobian_delta_theta_nz != NULL) && (jacobian_nz != NULL) && (value != NULL) &&
+        (dt != NULL) && (delta_velocity != NULL) && (delta_theta != NULL) && (x != NULL)) {
         force_input_t in;
         force_output_t out;
 
@@ -522,9 +522,9 @@ navtk_specific_force_status_t navtk_specific_force_force_blocks(
 {
     navtk_specific_force_status_t result = NAVTK_SPECIFIC_FORCE_NULL;
 
-    if ((x != NULL) && (delta_theta != NULL) && (delta_velocity != NULL) && (dt != NULL) &&
-        (value != NULL) && (jacobian_nz != NULL) && (jacobian_delta_theta_nz != NULL) &&
-        (jacobian_delta_velocity_nz != NULL) && (jacobian_dt_nz != NULL) && (status != NULL)) {
+    if ((status != NULL) && (jacobian_dt_nz != NULL) && (jacobian_delta_velocity_nz != NULL) &&
+        (jacobian_delta_theta_nz != NULL) && (jacobian_nz != NULL) && (value != NULL) &&
+        (dt != NULL) && (delta_velocity != NULL) && (delta_theta != NULL) && (x != NULL)) {
         result = (epochs < 0) ? NAVTK_SPECIFIC_FORCE_COUNT : NAVTK_SPECIFIC_FORCE_OK;
         for (ptrdiff_t first = 0; first < epochs; first += NAVTK_SPECIFIC_FORCE_FORCE_LANES) {
             const ptrdiff_t rest = epochs - first;
@@ -595,9 +595,9 @@ navtk_specific_force_status_t navtk_specific_force_force_batch(
 {
     navtk_specific_force_status_t result = NAVTK_SPECIFIC_FORCE_NULL;
 
-    if ((x != NULL) && (delta_theta != NULL) && (delta_velocity != NULL) && (dt != NULL) &&
-        (value != NULL) && (jacobian != NULL) && (jacobian_delta_theta != NULL) &&
-        (jacobian_delta_velocity != NULL) && (jacobian_dt != NULL) && (status != NULL)) {
+    if ((status != NULL) && (jacobian_dt != NULL) && (jacobian_delta_velocity != NULL) &&
+        (jacobian_delta_theta != NULL) && (jacobian != NULL) && (value != NULL) && (dt != NULL) &&
+        (delta_velocity != NULL) && (delta_theta != NULL) && (x != NULL)) {
         force_block_t block;
 
         result = (epochs < 0) ? NAVTK_SPECIFIC_FORCE_COUNT : NAVTK_SPECIFIC_FORCE_OK;
@@ -655,9 +655,9 @@ navtk_specific_force_status_t navtk_specific_force_force_batch_nz(
 {
     navtk_specific_force_status_t result = NAVTK_SPECIFIC_FORCE_NULL;
 
-    if ((x != NULL) && (delta_theta != NULL) && (delta_velocity != NULL) && (dt != NULL) &&
-        (value != NULL) && (jacobian_nz != NULL) && (jacobian_delta_theta_nz != NULL) &&
-        (jacobian_delta_velocity_nz != NULL) && (jacobian_dt_nz != NULL) && (status != NULL)) {
+    if ((status != NULL) && (jacobian_dt_nz != NULL) && (jacobian_delta_velocity_nz != NULL) &&
+        (jacobian_delta_theta_nz != NULL) && (jacobian_nz != NULL) && (value != NULL) &&
+        (dt != NULL) && (delta_velocity != NULL) && (delta_theta != NULL) && (x != NULL)) {
         force_block_t block;
 
         result = (epochs < 0) ? NAVTK_SPECIFIC_FORCE_COUNT : NAVTK_SPECIFIC_FORCE_OK;

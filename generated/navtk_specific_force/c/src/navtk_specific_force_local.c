@@ -71,32 +71,32 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t local_load_lane(
     outside |= take_centred(x[15 * stride], 0.1, &in->gyro_bias_z);
 
     /* position [m, in n] */
-    outside |= take_centred(y[0], 1000000000.0, &in->position_x_2);
-    outside |= take_centred(y[stride], 1000000000.0, &in->position_y_2);
-    outside |= take_centred(y[2 * stride], 1000000000.0, &in->position_z_2);
+    outside |= take_centred(y[0], 1000000000.0, &in->y_position_x);
+    outside |= take_centred(y[stride], 1000000000.0, &in->y_position_y);
+    outside |= take_centred(y[2 * stride], 1000000000.0, &in->y_position_z);
 
     /* velocity [m/s, in n] */
-    outside |= take_centred(y[3 * stride], 1000000000.0, &in->velocity_x_2);
-    outside |= take_centred(y[4 * stride], 1000000000.0, &in->velocity_y_2);
-    outside |= take_centred(y[5 * stride], 1000000000.0, &in->velocity_z_2);
+    outside |= take_centred(y[3 * stride], 1000000000.0, &in->y_velocity_x);
+    outside |= take_centred(y[4 * stride], 1000000000.0, &in->y_velocity_y);
+    outside |= take_centred(y[5 * stride], 1000000000.0, &in->y_velocity_z);
 
     /* attitude [s -> n] */
-    outside |= take_centred(y[6 * stride], 1.00001, &in->attitude_w_2);
-    outside |= take_centred(y[7 * stride], 1.00001, &in->attitude_x_2);
-    outside |= take_centred(y[8 * stride], 1.00001, &in->attitude_y_2);
-    outside |= take_centred(y[9 * stride], 1.00001, &in->attitude_z_2);
-    skewed |= is_skewed_quaternion(in->attitude_w_2, in->attitude_x_2, in->attitude_y_2,
-        in->attitude_z_2, 1.0e-05);
+    outside |= take_centred(y[6 * stride], 1.00001, &in->y_attitude_w);
+    outside |= take_centred(y[7 * stride], 1.00001, &in->y_attitude_x);
+    outside |= take_centred(y[8 * stride], 1.00001, &in->y_attitude_y);
+    outside |= take_centred(y[9 * stride], 1.00001, &in->y_attitude_z);
+    skewed |= is_skewed_quaternion(in->y_attitude_w, in->y_attitude_x, in->y_attitude_y,
+        in->y_attitude_z, 1.0e-05);
 
     /* accelerometer_bias [m/s^2, in s] */
-    outside |= take_centred(y[10 * stride], 1.0, &in->accelerometer_bias_x_2);
-    outside |= take_centred(y[11 * stride], 1.0, &in->accelerometer_bias_y_2);
-    outside |= take_centred(y[12 * stride], 1.0, &in->accelerometer_bias_z_2);
+    outside |= take_centred(y[10 * stride], 1.0, &in->y_accelerometer_bias_x);
+    outside |= take_centred(y[11 * stride], 1.0, &in->y_accelerometer_bias_y);
+    outside |= take_centred(y[12 * stride], 1.0, &in->y_accelerometer_bias_z);
 
     /* gyro_bias [rad/s, in s] */
-    outside |= take_centred(y[13 * stride], 0.1, &in->gyro_bias_x_2);
-    outside |= take_centred(y[14 * stride], 0.1, &in->gyro_bias_y_2);
-    outside |= take_centred(y[15 * stride], 0.1, &in->gyro_bias_z_2);
+    outside |= take_centred(y[13 * stride], 0.1, &in->y_gyro_bias_x);
+    outside |= take_centred(y[14 * stride], 0.1, &in->y_gyro_bias_y);
+    outside |= take_centred(y[15 * stride], 0.1, &in->y_gyro_bias_z);
 
     return ((navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_RANGE * outside) +
         ((navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_QNORM * (skewed & ~outside));
@@ -125,22 +125,22 @@ NAVTK_SPECIFIC_FORCE_INLINE void local_copy(
     in->gyro_bias_x = x[13 * stride];
     in->gyro_bias_y = x[14 * stride];
     in->gyro_bias_z = x[15 * stride];
-    in->position_x_2 = y[0];
-    in->position_y_2 = y[stride];
-    in->position_z_2 = y[2 * stride];
-    in->velocity_x_2 = y[3 * stride];
-    in->velocity_y_2 = y[4 * stride];
-    in->velocity_z_2 = y[5 * stride];
-    in->attitude_w_2 = y[6 * stride];
-    in->attitude_x_2 = y[7 * stride];
-    in->attitude_y_2 = y[8 * stride];
-    in->attitude_z_2 = y[9 * stride];
-    in->accelerometer_bias_x_2 = y[10 * stride];
-    in->accelerometer_bias_y_2 = y[11 * stride];
-    in->accelerometer_bias_z_2 = y[12 * stride];
-    in->gyro_bias_x_2 = y[13 * stride];
-    in->gyro_bias_y_2 = y[14 * stride];
-    in->gyro_bias_z_2 = y[15 * stride];
+    in->y_position_x = y[0];
+    in->y_position_y = y[stride];
+    in->y_position_z = y[2 * stride];
+    in->y_velocity_x = y[3 * stride];
+    in->y_velocity_y = y[4 * stride];
+    in->y_velocity_z = y[5 * stride];
+    in->y_attitude_w = y[6 * stride];
+    in->y_attitude_x = y[7 * stride];
+    in->y_attitude_y = y[8 * stride];
+    in->y_attitude_z = y[9 * stride];
+    in->y_accelerometer_bias_x = y[10 * stride];
+    in->y_accelerometer_bias_y = y[11 * stride];
+    in->y_accelerometer_bias_z = y[12 * stride];
+    in->y_gyro_bias_x = y[13 * stride];
+    in->y_gyro_bias_y = y[14 * stride];
+    in->y_gyro_bias_z = y[15 * stride];
 }
 
 /* Store value in full, structural zeros included. */
@@ -174,7 +174,7 @@ NAVTK_SPECIFIC_FORCE_NARROW navtk_specific_force_status_t navtk_specific_force_l
 {
     navtk_specific_force_status_t status = NAVTK_SPECIFIC_FORCE_NULL;
 
-    if ((x != NULL) && (y != NULL) && (value != NULL)) {
+    if ((value != NULL) && (y != NULL) && (x != NULL)) {
         local_input_t in;
         local_output_t out;
 
@@ -267,7 +267,7 @@ navtk_specific_force_status_t navtk_specific_force_local_blocks(
 {
     navtk_specific_force_status_t result = NAVTK_SPECIFIC_FORCE_NULL;
 
-    if ((x != NULL) && (y != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (y != NULL) && (x != NULL)) {
         result = (epochs < 0) ? NAVTK_SPECIFIC_FORCE_COUNT : NAVTK_SPECIFIC_FORCE_OK;
         for (ptrdiff_t first = 0; first < epochs; first += NAVTK_SPECIFIC_FORCE_LOCAL_LANES) {
             const ptrdiff_t rest = epochs - first;
@@ -313,7 +313,7 @@ navtk_specific_force_status_t navtk_specific_force_local_batch(
 {
     navtk_specific_force_status_t result = NAVTK_SPECIFIC_FORCE_NULL;
 
-    if ((x != NULL) && (y != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (y != NULL) && (x != NULL)) {
         local_block_t block;
 
         result = (epochs < 0) ? NAVTK_SPECIFIC_FORCE_COUNT : NAVTK_SPECIFIC_FORCE_OK;

@@ -29,22 +29,22 @@ typedef struct {
     navtk_specific_force_real_t gyro_bias_x;  /* rad/s, in s */
     navtk_specific_force_real_t gyro_bias_y;  /* rad/s, in s */
     navtk_specific_force_real_t gyro_bias_z;  /* rad/s, in s */
-    navtk_specific_force_real_t position_x_2;  /* m, in n */
-    navtk_specific_force_real_t position_y_2;  /* m, in n */
-    navtk_specific_force_real_t position_z_2;  /* m, in n */
-    navtk_specific_force_real_t velocity_x_2;  /* m/s, in n */
-    navtk_specific_force_real_t velocity_y_2;  /* m/s, in n */
-    navtk_specific_force_real_t velocity_z_2;  /* m/s, in n */
-    navtk_specific_force_real_t attitude_w_2;  /* s -> n */
-    navtk_specific_force_real_t attitude_x_2;  /* s -> n */
-    navtk_specific_force_real_t attitude_y_2;  /* s -> n */
-    navtk_specific_force_real_t attitude_z_2;  /* s -> n */
-    navtk_specific_force_real_t accelerometer_bias_x_2;  /* m/s^2, in s */
-    navtk_specific_force_real_t accelerometer_bias_y_2;  /* m/s^2, in s */
-    navtk_specific_force_real_t accelerometer_bias_z_2;  /* m/s^2, in s */
-    navtk_specific_force_real_t gyro_bias_x_2;  /* rad/s, in s */
-    navtk_specific_force_real_t gyro_bias_y_2;  /* rad/s, in s */
-    navtk_specific_force_real_t gyro_bias_z_2;  /* rad/s, in s */
+    navtk_specific_force_real_t y_position_x;  /* m, in n */
+    navtk_specific_force_real_t y_position_y;  /* m, in n */
+    navtk_specific_force_real_t y_position_z;  /* m, in n */
+    navtk_specific_force_real_t y_velocity_x;  /* m/s, in n */
+    navtk_specific_force_real_t y_velocity_y;  /* m/s, in n */
+    navtk_specific_force_real_t y_velocity_z;  /* m/s, in n */
+    navtk_specific_force_real_t y_attitude_w;  /* s -> n */
+    navtk_specific_force_real_t y_attitude_x;  /* s -> n */
+    navtk_specific_force_real_t y_attitude_y;  /* s -> n */
+    navtk_specific_force_real_t y_attitude_z;  /* s -> n */
+    navtk_specific_force_real_t y_accelerometer_bias_x;  /* m/s^2, in s */
+    navtk_specific_force_real_t y_accelerometer_bias_y;  /* m/s^2, in s */
+    navtk_specific_force_real_t y_accelerometer_bias_z;  /* m/s^2, in s */
+    navtk_specific_force_real_t y_gyro_bias_x;  /* rad/s, in s */
+    navtk_specific_force_real_t y_gyro_bias_y;  /* rad/s, in s */
+    navtk_specific_force_real_t y_gyro_bias_z;  /* rad/s, in s */
 } local_input_t;
 
 /** Structural non-zeros of the results of navtk_specific_force_local. */
@@ -87,30 +87,30 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t local_load(
     in->gyro_bias_z = x[15];
 
     /* position [m, in n] */
-    in->position_x_2 = y[0];
-    in->position_y_2 = y[1];
-    in->position_z_2 = y[2];
+    in->y_position_x = y[0];
+    in->y_position_y = y[1];
+    in->y_position_z = y[2];
 
     /* velocity [m/s, in n] */
-    in->velocity_x_2 = y[3];
-    in->velocity_y_2 = y[4];
-    in->velocity_z_2 = y[5];
+    in->y_velocity_x = y[3];
+    in->y_velocity_y = y[4];
+    in->y_velocity_z = y[5];
 
     /* attitude [s -> n] */
-    in->attitude_w_2 = y[6];
-    in->attitude_x_2 = y[7];
-    in->attitude_y_2 = y[8];
-    in->attitude_z_2 = y[9];
+    in->y_attitude_w = y[6];
+    in->y_attitude_x = y[7];
+    in->y_attitude_y = y[8];
+    in->y_attitude_z = y[9];
 
     /* accelerometer_bias [m/s^2, in s] */
-    in->accelerometer_bias_x_2 = y[10];
-    in->accelerometer_bias_y_2 = y[11];
-    in->accelerometer_bias_z_2 = y[12];
+    in->y_accelerometer_bias_x = y[10];
+    in->y_accelerometer_bias_y = y[11];
+    in->y_accelerometer_bias_z = y[12];
 
     /* gyro_bias [rad/s, in s] */
-    in->gyro_bias_x_2 = y[13];
-    in->gyro_bias_y_2 = y[14];
-    in->gyro_bias_z_2 = y[15];
+    in->y_gyro_bias_x = y[13];
+    in->y_gyro_bias_y = y[14];
+    in->y_gyro_bias_z = y[15];
 
     bool inside = are_three_centred(in->position_x, in->position_y, in->position_z, 1000000000.0);
     inside = inside &&
@@ -121,20 +121,20 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t local_load(
         in->accelerometer_bias_z, 1.0);
     inside = inside && are_three_centred(in->gyro_bias_x, in->gyro_bias_y, in->gyro_bias_z, 0.1);
     inside = inside &&
-        are_three_centred(in->position_x_2, in->position_y_2, in->position_z_2, 1000000000.0);
+        are_three_centred(in->y_position_x, in->y_position_y, in->y_position_z, 1000000000.0);
     inside = inside &&
-        are_three_centred(in->velocity_x_2, in->velocity_y_2, in->velocity_z_2, 1000000000.0);
-    inside = inside && are_four_centred(in->attitude_w_2, in->attitude_x_2, in->attitude_y_2,
-        in->attitude_z_2, 1.00001);
-    inside = inside && are_three_centred(in->accelerometer_bias_x_2, in->accelerometer_bias_y_2,
-        in->accelerometer_bias_z_2, 1.0);
+        are_three_centred(in->y_velocity_x, in->y_velocity_y, in->y_velocity_z, 1000000000.0);
+    inside = inside && are_four_centred(in->y_attitude_w, in->y_attitude_x, in->y_attitude_y,
+        in->y_attitude_z, 1.00001);
+    inside = inside && are_three_centred(in->y_accelerometer_bias_x, in->y_accelerometer_bias_y,
+        in->y_accelerometer_bias_z, 1.0);
     inside = inside &&
-        are_three_centred(in->gyro_bias_x_2, in->gyro_bias_y_2, in->gyro_bias_z_2, 0.1);
+        are_three_centred(in->y_gyro_bias_x, in->y_gyro_bias_y, in->y_gyro_bias_z, 0.1);
 
     skewed |= is_skewed_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z,
         1.0e-05);
-    skewed |= is_skewed_quaternion(in->attitude_w_2, in->attitude_x_2, in->attitude_y_2,
-        in->attitude_z_2, 1.0e-05);
+    skewed |= is_skewed_quaternion(in->y_attitude_w, in->y_attitude_x, in->y_attitude_y,
+        in->y_attitude_z, 1.0e-05);
 
     return (!inside) ? (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_RANGE :
         ((skewed != 0U) ? (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_QNORM :
@@ -145,18 +145,18 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t local_load(
 NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t
     local_kernel(const local_input_t *in, local_output_t *out)
 {
-    const navtk_specific_force_real_t attitude_log_of_w = (in->attitude_w * in->attitude_w_2) +
-        (in->attitude_x * in->attitude_x_2) +
-        ((in->attitude_y * in->attitude_y_2) + (in->attitude_z * in->attitude_z_2));
-    const navtk_specific_force_real_t attitude_log_of_x = (in->attitude_w * in->attitude_x_2) -
-        (in->attitude_x * in->attitude_w_2) +
-        ((in->attitude_y * in->attitude_z_2) - (in->attitude_z * in->attitude_y_2));
-    const navtk_specific_force_real_t attitude_log_of_y = (in->attitude_w * in->attitude_y_2) -
-        (in->attitude_x * in->attitude_z_2) +
-        ((in->attitude_z * in->attitude_x_2) - (in->attitude_y * in->attitude_w_2));
-    const navtk_specific_force_real_t attitude_log_of_z = (in->attitude_w * in->attitude_z_2) -
-        (in->attitude_y * in->attitude_x_2) +
-        ((in->attitude_x * in->attitude_y_2) - (in->attitude_z * in->attitude_w_2));
+    const navtk_specific_force_real_t attitude_log_of_w = (in->attitude_w * in->y_attitude_w) +
+        (in->attitude_x * in->y_attitude_x) +
+        ((in->attitude_y * in->y_attitude_y) + (in->attitude_z * in->y_attitude_z));
+    const navtk_specific_force_real_t attitude_log_of_x = (in->attitude_w * in->y_attitude_x) -
+        (in->attitude_x * in->y_attitude_w) +
+        ((in->attitude_y * in->y_attitude_z) - (in->attitude_z * in->y_attitude_y));
+    const navtk_specific_force_real_t attitude_log_of_y = (in->attitude_w * in->y_attitude_y) -
+        (in->attitude_x * in->y_attitude_z) +
+        ((in->attitude_z * in->y_attitude_x) - (in->attitude_y * in->y_attitude_w));
+    const navtk_specific_force_real_t attitude_log_of_z = (in->attitude_w * in->y_attitude_z) -
+        (in->attitude_y * in->y_attitude_x) +
+        ((in->attitude_x * in->y_attitude_y) - (in->attitude_z * in->y_attitude_w));
     const navtk_specific_force_real_t attitude_log_sign = (attitude_log_of_w < 0.0) ? (-1.0) : 1.0;
     const navtk_specific_force_real_t attitude_log_w = attitude_log_of_w * attitude_log_sign;
     const navtk_specific_force_real_t attitude_log_sine_squared =
@@ -186,24 +186,24 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t
     const navtk_specific_force_real_t attitude_log_signed_scale = attitude_log_scale *
         attitude_log_sign;
 
-    out->value[0] = in->position_x_2 - in->position_x;  /* position x */
-    out->value[1] = in->position_y_2 - in->position_y;  /* position y */
-    out->value[2] = in->position_z_2 - in->position_z;  /* position z */
-    out->value[3] = in->velocity_x_2 - in->velocity_x;  /* velocity x */
-    out->value[4] = in->velocity_y_2 - in->velocity_y;  /* velocity y */
-    out->value[5] = in->velocity_z_2 - in->velocity_z;  /* velocity z */
+    out->value[0] = in->y_position_x - in->position_x;  /* position x */
+    out->value[1] = in->y_position_y - in->position_y;  /* position y */
+    out->value[2] = in->y_position_z - in->position_z;  /* position z */
+    out->value[3] = in->y_velocity_x - in->velocity_x;  /* velocity x */
+    out->value[4] = in->y_velocity_y - in->velocity_y;  /* velocity y */
+    out->value[5] = in->y_velocity_z - in->velocity_z;  /* velocity z */
     out->value[6] = -(attitude_log_of_x * attitude_log_signed_scale);  /* attitude x */
     out->value[7] = -(attitude_log_of_y * attitude_log_signed_scale);  /* attitude y */
     out->value[8] = -(attitude_log_of_z * attitude_log_signed_scale);  /* attitude z */
     /* accelerometer_bias x */
-    out->value[9] = in->accelerometer_bias_x_2 - in->accelerometer_bias_x;
+    out->value[9] = in->y_accelerometer_bias_x - in->accelerometer_bias_x;
     /* accelerometer_bias y */
-    out->value[10] = in->accelerometer_bias_y_2 - in->accelerometer_bias_y;
+    out->value[10] = in->y_accelerometer_bias_y - in->accelerometer_bias_y;
     /* accelerometer_bias z */
-    out->value[11] = in->accelerometer_bias_z_2 - in->accelerometer_bias_z;
-    out->value[12] = in->gyro_bias_x_2 - in->gyro_bias_x;  /* gyro_bias x */
-    out->value[13] = in->gyro_bias_y_2 - in->gyro_bias_y;  /* gyro_bias y */
-    out->value[14] = in->gyro_bias_z_2 - in->gyro_bias_z;  /* gyro_bias z */
+    out->value[11] = in->y_accelerometer_bias_z - in->accelerometer_bias_z;
+    out->value[12] = in->y_gyro_bias_x - in->gyro_bias_x;  /* gyro_bias x */
+    out->value[13] = in->y_gyro_bias_y - in->gyro_bias_y;  /* gyro_bias y */
+    out->value[14] = in->y_gyro_bias_z - in->gyro_bias_z;  /* gyro_bias z */
 
     return (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_OK;
 }

@@ -72,29 +72,29 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t retract_load_lane(
     outside |= take_centred(x[15 * stride], 0.1, &in->gyro_bias_z);
 
     /* position [m, in n] */
-    outside |= take_centred(d[0], 1000000000.0, &in->position_x_2);
-    outside |= take_centred(d[stride], 1000000000.0, &in->position_y_2);
-    outside |= take_centred(d[2 * stride], 1000000000.0, &in->position_z_2);
+    outside |= take_centred(d[0], 1000000000.0, &in->d_position_x);
+    outside |= take_centred(d[stride], 1000000000.0, &in->d_position_y);
+    outside |= take_centred(d[2 * stride], 1000000000.0, &in->d_position_z);
 
     /* velocity [m/s, in n] */
-    outside |= take_centred(d[3 * stride], 1000000000.0, &in->velocity_x_2);
-    outside |= take_centred(d[4 * stride], 1000000000.0, &in->velocity_y_2);
-    outside |= take_centred(d[5 * stride], 1000000000.0, &in->velocity_z_2);
+    outside |= take_centred(d[3 * stride], 1000000000.0, &in->d_velocity_x);
+    outside |= take_centred(d[4 * stride], 1000000000.0, &in->d_velocity_y);
+    outside |= take_centred(d[5 * stride], 1000000000.0, &in->d_velocity_z);
 
     /* attitude [rad, in n] */
-    outside |= take_centred(d[6 * stride], 6.0, &in->attitude_x_2);
-    outside |= take_centred(d[7 * stride], 6.0, &in->attitude_y_2);
-    outside |= take_centred(d[8 * stride], 6.0, &in->attitude_z_2);
+    outside |= take_centred(d[6 * stride], 6.0, &in->d_attitude_x);
+    outside |= take_centred(d[7 * stride], 6.0, &in->d_attitude_y);
+    outside |= take_centred(d[8 * stride], 6.0, &in->d_attitude_z);
 
     /* accelerometer_bias [m/s^2, in s] */
-    outside |= take_centred(d[9 * stride], 1000000000.0, &in->accelerometer_bias_x_2);
-    outside |= take_centred(d[10 * stride], 1000000000.0, &in->accelerometer_bias_y_2);
-    outside |= take_centred(d[11 * stride], 1000000000.0, &in->accelerometer_bias_z_2);
+    outside |= take_centred(d[9 * stride], 1000000000.0, &in->d_accelerometer_bias_x);
+    outside |= take_centred(d[10 * stride], 1000000000.0, &in->d_accelerometer_bias_y);
+    outside |= take_centred(d[11 * stride], 1000000000.0, &in->d_accelerometer_bias_z);
 
     /* gyro_bias [rad/s, in s] */
-    outside |= take_centred(d[12 * stride], 1000000000.0, &in->gyro_bias_x_2);
-    outside |= take_centred(d[13 * stride], 1000000000.0, &in->gyro_bias_y_2);
-    outside |= take_centred(d[14 * stride], 1000000000.0, &in->gyro_bias_z_2);
+    outside |= take_centred(d[12 * stride], 1000000000.0, &in->d_gyro_bias_x);
+    outside |= take_centred(d[13 * stride], 1000000000.0, &in->d_gyro_bias_y);
+    outside |= take_centred(d[14 * stride], 1000000000.0, &in->d_gyro_bias_z);
 
     return ((navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_RANGE * outside) +
         ((navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_QNORM * (skewed & ~outside));
@@ -123,21 +123,21 @@ NAVTK_SPECIFIC_FORCE_INLINE void retract_copy(
     in->gyro_bias_x = x[13 * stride];
     in->gyro_bias_y = x[14 * stride];
     in->gyro_bias_z = x[15 * stride];
-    in->position_x_2 = d[0];
-    in->position_y_2 = d[stride];
-    in->position_z_2 = d[2 * stride];
-    in->velocity_x_2 = d[3 * stride];
-    in->velocity_y_2 = d[4 * stride];
-    in->velocity_z_2 = d[5 * stride];
-    in->attitude_x_2 = d[6 * stride];
-    in->attitude_y_2 = d[7 * stride];
-    in->attitude_z_2 = d[8 * stride];
-    in->accelerometer_bias_x_2 = d[9 * stride];
-    in->accelerometer_bias_y_2 = d[10 * stride];
-    in->accelerometer_bias_z_2 = d[11 * stride];
-    in->gyro_bias_x_2 = d[12 * stride];
-    in->gyro_bias_y_2 = d[13 * stride];
-    in->gyro_bias_z_2 = d[14 * stride];
+    in->d_position_x = d[0];
+    in->d_position_y = d[stride];
+    in->d_position_z = d[2 * stride];
+    in->d_velocity_x = d[3 * stride];
+    in->d_velocity_y = d[4 * stride];
+    in->d_velocity_z = d[5 * stride];
+    in->d_attitude_x = d[6 * stride];
+    in->d_attitude_y = d[7 * stride];
+    in->d_attitude_z = d[8 * stride];
+    in->d_accelerometer_bias_x = d[9 * stride];
+    in->d_accelerometer_bias_y = d[10 * stride];
+    in->d_accelerometer_bias_z = d[11 * stride];
+    in->d_gyro_bias_x = d[12 * stride];
+    in->d_gyro_bias_y = d[13 * stride];
+    in->d_gyro_bias_z = d[14 * stride];
 }
 
 /* Store value in full, structural zeros included. */
@@ -172,7 +172,7 @@ NAVTK_SPECIFIC_FORCE_NARROW navtk_specific_force_status_t navtk_specific_force_r
 {
     navtk_specific_force_status_t status = NAVTK_SPECIFIC_FORCE_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL)) {
+    if ((value != NULL) && (d != NULL) && (x != NULL)) {
         retract_input_t in;
         retract_output_t out;
 
@@ -265,7 +265,7 @@ navtk_specific_force_status_t navtk_specific_force_retract_blocks(
 {
     navtk_specific_force_status_t result = NAVTK_SPECIFIC_FORCE_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (d != NULL) && (x != NULL)) {
         result = (epochs < 0) ? NAVTK_SPECIFIC_FORCE_COUNT : NAVTK_SPECIFIC_FORCE_OK;
         for (ptrdiff_t first = 0; first < epochs; first += NAVTK_SPECIFIC_FORCE_RETRACT_LANES) {
             const ptrdiff_t rest = epochs - first;
@@ -311,7 +311,7 @@ navtk_specific_force_status_t navtk_specific_force_retract_batch(
 {
     navtk_specific_force_status_t result = NAVTK_SPECIFIC_FORCE_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (d != NULL) && (x != NULL)) {
         retract_block_t block;
 
         result = (epochs < 0) ? NAVTK_SPECIFIC_FORCE_COUNT : NAVTK_SPECIFIC_FORCE_OK;

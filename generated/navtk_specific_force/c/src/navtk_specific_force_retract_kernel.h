@@ -30,21 +30,21 @@ typedef struct {
     navtk_specific_force_real_t gyro_bias_x;  /* rad/s, in s */
     navtk_specific_force_real_t gyro_bias_y;  /* rad/s, in s */
     navtk_specific_force_real_t gyro_bias_z;  /* rad/s, in s */
-    navtk_specific_force_real_t position_x_2;  /* m, in n */
-    navtk_specific_force_real_t position_y_2;  /* m, in n */
-    navtk_specific_force_real_t position_z_2;  /* m, in n */
-    navtk_specific_force_real_t velocity_x_2;  /* m/s, in n */
-    navtk_specific_force_real_t velocity_y_2;  /* m/s, in n */
-    navtk_specific_force_real_t velocity_z_2;  /* m/s, in n */
-    navtk_specific_force_real_t attitude_x_2;  /* rad, in n */
-    navtk_specific_force_real_t attitude_y_2;  /* rad, in n */
-    navtk_specific_force_real_t attitude_z_2;  /* rad, in n */
-    navtk_specific_force_real_t accelerometer_bias_x_2;  /* m/s^2, in s */
-    navtk_specific_force_real_t accelerometer_bias_y_2;  /* m/s^2, in s */
-    navtk_specific_force_real_t accelerometer_bias_z_2;  /* m/s^2, in s */
-    navtk_specific_force_real_t gyro_bias_x_2;  /* rad/s, in s */
-    navtk_specific_force_real_t gyro_bias_y_2;  /* rad/s, in s */
-    navtk_specific_force_real_t gyro_bias_z_2;  /* rad/s, in s */
+    navtk_specific_force_real_t d_position_x;  /* m, in n */
+    navtk_specific_force_real_t d_position_y;  /* m, in n */
+    navtk_specific_force_real_t d_position_z;  /* m, in n */
+    navtk_specific_force_real_t d_velocity_x;  /* m/s, in n */
+    navtk_specific_force_real_t d_velocity_y;  /* m/s, in n */
+    navtk_specific_force_real_t d_velocity_z;  /* m/s, in n */
+    navtk_specific_force_real_t d_attitude_x;  /* rad, in n */
+    navtk_specific_force_real_t d_attitude_y;  /* rad, in n */
+    navtk_specific_force_real_t d_attitude_z;  /* rad, in n */
+    navtk_specific_force_real_t d_accelerometer_bias_x;  /* m/s^2, in s */
+    navtk_specific_force_real_t d_accelerometer_bias_y;  /* m/s^2, in s */
+    navtk_specific_force_real_t d_accelerometer_bias_z;  /* m/s^2, in s */
+    navtk_specific_force_real_t d_gyro_bias_x;  /* rad/s, in s */
+    navtk_specific_force_real_t d_gyro_bias_y;  /* rad/s, in s */
+    navtk_specific_force_real_t d_gyro_bias_z;  /* rad/s, in s */
 } retract_input_t;
 
 /** Structural non-zeros of the results of navtk_specific_force_retract. */
@@ -87,29 +87,29 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t retract_load(
     in->gyro_bias_z = x[15];
 
     /* position [m, in n] */
-    in->position_x_2 = d[0];
-    in->position_y_2 = d[1];
-    in->position_z_2 = d[2];
+    in->d_position_x = d[0];
+    in->d_position_y = d[1];
+    in->d_position_z = d[2];
 
     /* velocity [m/s, in n] */
-    in->velocity_x_2 = d[3];
-    in->velocity_y_2 = d[4];
-    in->velocity_z_2 = d[5];
+    in->d_velocity_x = d[3];
+    in->d_velocity_y = d[4];
+    in->d_velocity_z = d[5];
 
     /* attitude [rad, in n] */
-    in->attitude_x_2 = d[6];
-    in->attitude_y_2 = d[7];
-    in->attitude_z_2 = d[8];
+    in->d_attitude_x = d[6];
+    in->d_attitude_y = d[7];
+    in->d_attitude_z = d[8];
 
     /* accelerometer_bias [m/s^2, in s] */
-    in->accelerometer_bias_x_2 = d[9];
-    in->accelerometer_bias_y_2 = d[10];
-    in->accelerometer_bias_z_2 = d[11];
+    in->d_accelerometer_bias_x = d[9];
+    in->d_accelerometer_bias_y = d[10];
+    in->d_accelerometer_bias_z = d[11];
 
     /* gyro_bias [rad/s, in s] */
-    in->gyro_bias_x_2 = d[12];
-    in->gyro_bias_y_2 = d[13];
-    in->gyro_bias_z_2 = d[14];
+    in->d_gyro_bias_x = d[12];
+    in->d_gyro_bias_y = d[13];
+    in->d_gyro_bias_z = d[14];
 
     bool inside = are_three_centred(in->position_x, in->position_y, in->position_z, 1000000000.0);
     inside = inside &&
@@ -120,14 +120,14 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t retract_load(
         in->accelerometer_bias_z, 1.0);
     inside = inside && are_three_centred(in->gyro_bias_x, in->gyro_bias_y, in->gyro_bias_z, 0.1);
     inside = inside &&
-        are_three_centred(in->position_x_2, in->position_y_2, in->position_z_2, 1000000000.0);
+        are_three_centred(in->d_position_x, in->d_position_y, in->d_position_z, 1000000000.0);
     inside = inside &&
-        are_three_centred(in->velocity_x_2, in->velocity_y_2, in->velocity_z_2, 1000000000.0);
-    inside = inside && are_three_centred(in->attitude_x_2, in->attitude_y_2, in->attitude_z_2, 6.0);
-    inside = inside && are_three_centred(in->accelerometer_bias_x_2, in->accelerometer_bias_y_2,
-        in->accelerometer_bias_z_2, 1000000000.0);
+        are_three_centred(in->d_velocity_x, in->d_velocity_y, in->d_velocity_z, 1000000000.0);
+    inside = inside && are_three_centred(in->d_attitude_x, in->d_attitude_y, in->d_attitude_z, 6.0);
+    inside = inside && are_three_centred(in->d_accelerometer_bias_x, in->d_accelerometer_bias_y,
+        in->d_accelerometer_bias_z, 1000000000.0);
     inside = inside &&
-        are_three_centred(in->gyro_bias_x_2, in->gyro_bias_y_2, in->gyro_bias_z_2, 1000000000.0);
+        are_three_centred(in->d_gyro_bias_x, in->d_gyro_bias_y, in->d_gyro_bias_z, 1000000000.0);
 
     skewed |= is_skewed_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z,
         1.0e-05);
@@ -142,8 +142,8 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t
     retract_kernel(const retract_input_t *in, retract_output_t *out)
 {
     const navtk_specific_force_real_t attitude_exp_angle_squared =
-        (in->attitude_x_2 * in->attitude_x_2) + (in->attitude_y_2 * in->attitude_y_2) +
-        (in->attitude_z_2 * in->attitude_z_2);
+        (in->d_attitude_x * in->d_attitude_x) + (in->d_attitude_y * in->d_attitude_y) +
+        (in->d_attitude_z * in->d_attitude_z);
     const navtk_specific_force_real_t attitude_exp_safe_squared =
         (attitude_exp_angle_squared < 0.01) ? 1.0 : attitude_exp_angle_squared;
     const navtk_specific_force_real_t attitude_exp_angle = sqrt(attitude_exp_safe_squared);
@@ -164,16 +164,16 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t
         attitude_exp_near_cosine : attitude_exp_far_cosine;
     const navtk_specific_force_real_t attitude_exp_sinc = (attitude_exp_angle_squared < 0.01) ?
         attitude_exp_near_sinc : attitude_exp_far_sinc;
-    const navtk_specific_force_real_t t71 = attitude_exp_sinc * in->attitude_x_2;
-    const navtk_specific_force_real_t t75 = attitude_exp_sinc * in->attitude_y_2;
-    const navtk_specific_force_real_t t78 = attitude_exp_sinc * in->attitude_z_2;
+    const navtk_specific_force_real_t t71 = attitude_exp_sinc * in->d_attitude_x;
+    const navtk_specific_force_real_t t75 = attitude_exp_sinc * in->d_attitude_y;
+    const navtk_specific_force_real_t t78 = attitude_exp_sinc * in->d_attitude_z;
 
-    out->value[0] = in->position_x_2 + in->position_x;  /* position x */
-    out->value[1] = in->position_y_2 + in->position_y;  /* position y */
-    out->value[2] = in->position_z_2 + in->position_z;  /* position z */
-    out->value[3] = in->velocity_x_2 + in->velocity_x;  /* velocity x */
-    out->value[4] = in->velocity_y_2 + in->velocity_y;  /* velocity y */
-    out->value[5] = in->velocity_z_2 + in->velocity_z;  /* velocity z */
+    out->value[0] = in->d_position_x + in->position_x;  /* position x */
+    out->value[1] = in->d_position_y + in->position_y;  /* position y */
+    out->value[2] = in->d_position_z + in->position_z;  /* position z */
+    out->value[3] = in->d_velocity_x + in->velocity_x;  /* velocity x */
+    out->value[4] = in->d_velocity_y + in->velocity_y;  /* velocity y */
+    out->value[5] = in->d_velocity_z + in->velocity_z;  /* velocity z */
     /* attitude w */
     out->value[6] = (attitude_exp_cosine * in->attitude_w) + (t71 * in->attitude_x) +
         ((t75 * in->attitude_y) + (t78 * in->attitude_z));
@@ -187,14 +187,14 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t
     out->value[9] = (attitude_exp_cosine * in->attitude_z) - (t71 * in->attitude_y) +
         ((t75 * in->attitude_x) - (t78 * in->attitude_w));
     /* accelerometer_bias x */
-    out->value[10] = in->accelerometer_bias_x + in->accelerometer_bias_x_2;
+    out->value[10] = in->accelerometer_bias_x + in->d_accelerometer_bias_x;
     /* accelerometer_bias y */
-    out->value[11] = in->accelerometer_bias_y + in->accelerometer_bias_y_2;
+    out->value[11] = in->accelerometer_bias_y + in->d_accelerometer_bias_y;
     /* accelerometer_bias z */
-    out->value[12] = in->accelerometer_bias_z + in->accelerometer_bias_z_2;
-    out->value[13] = in->gyro_bias_x_2 + in->gyro_bias_x;  /* gyro_bias x */
-    out->value[14] = in->gyro_bias_y_2 + in->gyro_bias_y;  /* gyro_bias y */
-    out->value[15] = in->gyro_bias_z_2 + in->gyro_bias_z;  /* gyro_bias z */
+    out->value[12] = in->accelerometer_bias_z + in->d_accelerometer_bias_z;
+    out->value[13] = in->d_gyro_bias_x + in->gyro_bias_x;  /* gyro_bias x */
+    out->value[14] = in->d_gyro_bias_y + in->gyro_bias_y;  /* gyro_bias y */
+    out->value[15] = in->d_gyro_bias_z + in->gyro_bias_z;  /* gyro_bias z */
 
     return (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_OK;
 }

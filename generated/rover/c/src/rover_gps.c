@@ -175,7 +175,7 @@ ROVER_NARROW rover_status_t rover_gps(
 {
     rover_status_t status = ROVER_NULL;
 
-    if ((x != NULL) && (value != NULL) && (jacobian != NULL)) {
+    if ((jacobian != NULL) && (value != NULL) && (x != NULL)) {
         gps_input_t in;
         gps_output_t out;
 
@@ -197,7 +197,7 @@ ROVER_NARROW rover_status_t rover_gps_value(
 {
     rover_status_t status = ROVER_NULL;
 
-    if ((x != NULL) && (value != NULL)) {
+    if ((value != NULL) && (x != NULL)) {
         gps_input_t in;
         gps_output_t out;
 
@@ -218,7 +218,7 @@ ROVER_NARROW rover_status_t rover_gps_jacobian(
 {
     rover_status_t status = ROVER_NULL;
 
-    if ((x != NULL) && (jacobian != NULL)) {
+    if ((jacobian != NULL) && (x != NULL)) {
         gps_input_t in;
         gps_output_t out;
 
@@ -240,7 +240,7 @@ ROVER_NARROW rover_status_t rover_gps_nz(
 {
     rover_status_t status = ROVER_NULL;
 
-    if ((x != NULL) && (value != NULL) && (jacobian_nz != NULL)) {
+    if ((jacobian_nz != NULL) && (value != NULL) && (x != NULL)) {
         gps_input_t in;
         gps_output_t out;
 
@@ -331,7 +331,7 @@ rover_status_t rover_gps_blocks(
 {
     rover_status_t result = ROVER_NULL;
 
-    if ((x != NULL) && (value != NULL) && (jacobian_nz != NULL) && (status != NULL)) {
+    if ((status != NULL) && (jacobian_nz != NULL) && (value != NULL) && (x != NULL)) {
         result = (epochs < 0) ? ROVER_COUNT : ROVER_OK;
         for (ptrdiff_t first = 0; first < epochs; first += ROVER_GPS_LANES) {
             const ptrdiff_t rest = epochs - first;
@@ -374,7 +374,7 @@ rover_status_t rover_gps_batch(
 {
     rover_status_t result = ROVER_NULL;
 
-    if ((x != NULL) && (value != NULL) && (jacobian != NULL) && (status != NULL)) {
+    if ((status != NULL) && (jacobian != NULL) && (value != NULL) && (x != NULL)) {
         gps_block_t block;
 
         result = (epochs < 0) ? ROVER_COUNT : ROVER_OK;
@@ -410,7 +410,7 @@ rover_status_t rover_gps_batch_nz(
 {
     rover_status_t result = ROVER_NULL;
 
-    if ((x != NULL) && (value != NULL) && (jacobian_nz != NULL) && (status != NULL)) {
+    if ((status != NULL) && (jacobian_nz != NULL) && (value != NULL) && (x != NULL)) {
         gps_block_t block;
 
         result = (epochs < 0) ? ROVER_COUNT : ROVER_OK;

@@ -210,8 +210,8 @@ ROVER_NARROW rover_status_t rover_imu(
 {
     rover_status_t status = ROVER_NULL;
 
-    if ((x != NULL) && (delta_theta != NULL) && (delta_velocity != NULL) && (dt != NULL) &&
-        (value != NULL) && (jacobian != NULL)) {
+    if ((jacobian != NULL) && (value != NULL) && (dt != NULL) && (delta_velocity != NULL) &&
+        (delta_theta != NULL) && (x != NULL)) {
         imu_input_t in;
         imu_output_t out;
 
@@ -236,8 +236,8 @@ ROVER_NARROW rover_status_t rover_imu_value(
 {
     rover_status_t status = ROVER_NULL;
 
-    if ((x != NULL) && (delta_theta != NULL) && (delta_velocity != NULL) && (dt != NULL) &&
-        (value != NULL)) {
+    if ((value != NULL) && (dt != NULL) && (delta_velocity != NULL) && (delta_theta != NULL) &&
+        (x != NULL)) {
         imu_input_t in;
         imu_output_t out;
 
@@ -261,8 +261,8 @@ ROVER_NARROW rover_status_t rover_imu_jacobian(
 {
     rover_status_t status = ROVER_NULL;
 
-    if ((x != NULL) && (delta_theta != NULL) && (delta_velocity != NULL) && (dt != NULL) &&
-        (jacobian != NULL)) {
+    if ((jacobian != NULL) && (dt != NULL) && (delta_velocity != NULL) && (delta_theta != NULL) &&
+        (x != NULL)) {
         imu_input_t in;
         imu_output_t out;
 
@@ -287,8 +287,8 @@ ROVER_NARROW rover_status_t rover_imu_nz(
 {
     rover_status_t status = ROVER_NULL;
 
-    if ((x != NULL) && (delta_theta != NULL) && (delta_velocity != NULL) && (dt != NULL) &&
-        (value != NULL) && (jacobian_nz != NULL)) {
+    if ((jacobian_nz != NULL) && (value != NULL) && (dt != NULL) && (delta_velocity != NULL) &&
+        (delta_theta != NULL) && (x != NULL)) {
         imu_input_t in;
         imu_output_t out;
 
@@ -395,8 +395,8 @@ rover_status_t rover_imu_blocks(
 {
     rover_status_t result = ROVER_NULL;
 
-    if ((x != NULL) && (delta_theta != NULL) && (delta_velocity != NULL) && (dt != NULL) &&
-        (value != NULL) && (jacobian_nz != NULL) && (status != NULL)) {
+    if ((status != NULL) && (jacobian_nz != NULL) && (value != NULL) && (dt != NULL) &&
+        (delta_velocity != NULL) && (delta_theta != NULL) && (x != NULL)) {
         result = (epochs < 0) ? ROVER_COUNT : ROVER_OK;
         for (ptrdiff_t first = 0; first < epochs; first += ROVER_IMU_LANES) {
             const ptrdiff_t rest = epochs - first;
@@ -457,8 +457,8 @@ rover_status_t rover_imu_batch(
 {
     rover_status_t result = ROVER_NULL;
 
-    if ((x != NULL) && (delta_theta != NULL) && (delta_velocity != NULL) && (dt != NULL) &&
-        (value != NULL) && (jacobian != NULL) && (status != NULL)) {
+    if ((status != NULL) && (jacobian != NULL) && (value != NULL) && (dt != NULL) &&
+        (delta_velocity != NULL) && (delta_theta != NULL) && (x != NULL)) {
         imu_block_t block;
 
         result = (epochs < 0) ? ROVER_COUNT : ROVER_OK;
@@ -502,8 +502,8 @@ rover_status_t rover_imu_batch_nz(
 {
     rover_status_t result = ROVER_NULL;
 
-    if ((x != NULL) && (delta_theta != NULL) && (delta_velocity != NULL) && (dt != NULL) &&
-        (value != NULL) && (jacobian_nz != NULL) && (status != NULL)) {
+    if ((status != NULL) && (jacobian_nz != NULL) && (value != NULL) && (dt != NULL) &&
+        (delta_velocity != NULL) && (delta_theta != NULL) && (x != NULL)) {
         imu_block_t block;
 
         result = (epochs < 0) ? ROVER_COUNT : ROVER_OK;

@@ -35,28 +35,28 @@ typedef struct {
     rover_real_t b_gps;  /* m */
     rover_real_t b_galileo;  /* m */
     rover_real_t drift;  /* m/s */
-    rover_real_t position_x_2;  /* m, in n */
-    rover_real_t position_y_2;  /* m, in n */
-    rover_real_t position_z_2;  /* m, in n */
-    rover_real_t velocity_x_2;  /* m/s, in n */
-    rover_real_t velocity_y_2;  /* m/s, in n */
-    rover_real_t velocity_z_2;  /* m/s, in n */
-    rover_real_t attitude_w_2;  /* b -> n */
-    rover_real_t attitude_x_2;  /* b -> n */
-    rover_real_t attitude_y_2;  /* b -> n */
-    rover_real_t attitude_z_2;  /* b -> n */
-    rover_real_t accelerometer_bias_x_2;  /* m/s^2, in b */
-    rover_real_t accelerometer_bias_y_2;  /* m/s^2, in b */
-    rover_real_t accelerometer_bias_z_2;  /* m/s^2, in b */
-    rover_real_t gyro_bias_x_2;  /* rad/s, in b */
-    rover_real_t gyro_bias_y_2;  /* rad/s, in b */
-    rover_real_t gyro_bias_z_2;  /* rad/s, in b */
-    rover_real_t antenna_x_2;  /* m, in b */
-    rover_real_t antenna_y_2;  /* m, in b */
-    rover_real_t antenna_z_2;  /* m, in b */
-    rover_real_t b_gps_2;  /* m */
-    rover_real_t b_galileo_2;  /* m */
-    rover_real_t drift_2;  /* m/s */
+    rover_real_t y_position_x;  /* m, in n */
+    rover_real_t y_position_y;  /* m, in n */
+    rover_real_t y_position_z;  /* m, in n */
+    rover_real_t y_velocity_x;  /* m/s, in n */
+    rover_real_t y_velocity_y;  /* m/s, in n */
+    rover_real_t y_velocity_z;  /* m/s, in n */
+    rover_real_t y_attitude_w;  /* b -> n */
+    rover_real_t y_attitude_x;  /* b -> n */
+    rover_real_t y_attitude_y;  /* b -> n */
+    rover_real_t y_attitude_z;  /* b -> n */
+    rover_real_t y_accelerometer_bias_x;  /* m/s^2, in b */
+    rover_real_t y_accelerometer_bias_y;  /* m/s^2, in b */
+    rover_real_t y_accelerometer_bias_z;  /* m/s^2, in b */
+    rover_real_t y_gyro_bias_x;  /* rad/s, in b */
+    rover_real_t y_gyro_bias_y;  /* rad/s, in b */
+    rover_real_t y_gyro_bias_z;  /* rad/s, in b */
+    rover_real_t y_antenna_x;  /* m, in b */
+    rover_real_t y_antenna_y;  /* m, in b */
+    rover_real_t y_antenna_z;  /* m, in b */
+    rover_real_t y_b_gps;  /* m */
+    rover_real_t y_b_galileo;  /* m */
+    rover_real_t y_drift;  /* m/s */
 } local_input_t;
 
 /** Structural non-zeros of the results of rover_local. */
@@ -111,44 +111,44 @@ ROVER_INLINE rover_flag_t
     in->drift = x[21];
 
     /* position [m, in n] */
-    in->position_x_2 = y[0];
-    in->position_y_2 = y[1];
-    in->position_z_2 = y[2];
+    in->y_position_x = y[0];
+    in->y_position_y = y[1];
+    in->y_position_z = y[2];
 
     /* velocity [m/s, in n] */
-    in->velocity_x_2 = y[3];
-    in->velocity_y_2 = y[4];
-    in->velocity_z_2 = y[5];
+    in->y_velocity_x = y[3];
+    in->y_velocity_y = y[4];
+    in->y_velocity_z = y[5];
 
     /* attitude [b -> n] */
-    in->attitude_w_2 = y[6];
-    in->attitude_x_2 = y[7];
-    in->attitude_y_2 = y[8];
-    in->attitude_z_2 = y[9];
+    in->y_attitude_w = y[6];
+    in->y_attitude_x = y[7];
+    in->y_attitude_y = y[8];
+    in->y_attitude_z = y[9];
 
     /* accelerometer_bias [m/s^2, in b] */
-    in->accelerometer_bias_x_2 = y[10];
-    in->accelerometer_bias_y_2 = y[11];
-    in->accelerometer_bias_z_2 = y[12];
+    in->y_accelerometer_bias_x = y[10];
+    in->y_accelerometer_bias_y = y[11];
+    in->y_accelerometer_bias_z = y[12];
 
     /* gyro_bias [rad/s, in b] */
-    in->gyro_bias_x_2 = y[13];
-    in->gyro_bias_y_2 = y[14];
-    in->gyro_bias_z_2 = y[15];
+    in->y_gyro_bias_x = y[13];
+    in->y_gyro_bias_y = y[14];
+    in->y_gyro_bias_z = y[15];
 
     /* antenna [m, in b] */
-    in->antenna_x_2 = y[16];
-    in->antenna_y_2 = y[17];
-    in->antenna_z_2 = y[18];
+    in->y_antenna_x = y[16];
+    in->y_antenna_y = y[17];
+    in->y_antenna_z = y[18];
 
     /* b_gps [m] */
-    in->b_gps_2 = y[19];
+    in->y_b_gps = y[19];
 
     /* b_galileo [m] */
-    in->b_galileo_2 = y[20];
+    in->y_b_galileo = y[20];
 
     /* drift [m/s] */
-    in->drift_2 = y[21];
+    in->y_drift = y[21];
 
     bool inside = are_three_centred(in->position_x, in->position_y, in->position_z, 100000.0);
     inside = inside &&
@@ -163,24 +163,24 @@ ROVER_INLINE rover_flag_t
     inside = inside && is_centred(in->b_galileo, 1000000.0);
     inside = inside && is_centred(in->drift, 1000000000.0);
     inside = inside &&
-        are_three_centred(in->position_x_2, in->position_y_2, in->position_z_2, 100000.0);
+        are_three_centred(in->y_position_x, in->y_position_y, in->y_position_z, 100000.0);
     inside = inside &&
-        are_three_centred(in->velocity_x_2, in->velocity_y_2, in->velocity_z_2, 1000000000.0);
-    inside = inside && are_four_centred(in->attitude_w_2, in->attitude_x_2, in->attitude_y_2,
-        in->attitude_z_2, 1.00001);
-    inside = inside && are_three_centred(in->accelerometer_bias_x_2, in->accelerometer_bias_y_2,
-        in->accelerometer_bias_z_2, 1.0);
+        are_three_centred(in->y_velocity_x, in->y_velocity_y, in->y_velocity_z, 1000000000.0);
+    inside = inside && are_four_centred(in->y_attitude_w, in->y_attitude_x, in->y_attitude_y,
+        in->y_attitude_z, 1.00001);
+    inside = inside && are_three_centred(in->y_accelerometer_bias_x, in->y_accelerometer_bias_y,
+        in->y_accelerometer_bias_z, 1.0);
     inside = inside &&
-        are_three_centred(in->gyro_bias_x_2, in->gyro_bias_y_2, in->gyro_bias_z_2, 0.1);
-    inside = inside && are_three_centred(in->antenna_x_2, in->antenna_y_2, in->antenna_z_2, 10.0);
-    inside = inside && is_centred(in->b_gps_2, 1000000.0);
-    inside = inside && is_centred(in->b_galileo_2, 1000000.0);
-    inside = inside && is_centred(in->drift_2, 1000000000.0);
+        are_three_centred(in->y_gyro_bias_x, in->y_gyro_bias_y, in->y_gyro_bias_z, 0.1);
+    inside = inside && are_three_centred(in->y_antenna_x, in->y_antenna_y, in->y_antenna_z, 10.0);
+    inside = inside && is_centred(in->y_b_gps, 1000000.0);
+    inside = inside && is_centred(in->y_b_galileo, 1000000.0);
+    inside = inside && is_centred(in->y_drift, 1000000000.0);
 
     skewed |= is_skewed_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z,
         1.0e-05);
-    skewed |= is_skewed_quaternion(in->attitude_w_2, in->attitude_x_2, in->attitude_y_2,
-        in->attitude_z_2, 1.0e-05);
+    skewed |= is_skewed_quaternion(in->y_attitude_w, in->y_attitude_x, in->y_attitude_y,
+        in->y_attitude_z, 1.0e-05);
 
     return (!inside) ? (rover_flag_t)ROVER_RANGE :
         ((skewed != 0U) ? (rover_flag_t)ROVER_QNORM : (rover_flag_t)ROVER_OK);
@@ -189,18 +189,18 @@ ROVER_INLINE rover_flag_t
 /* Error between two states: values and structural non-zeros. */
 ROVER_INLINE rover_flag_t local_kernel(const local_input_t *in, local_output_t *out)
 {
-    const rover_real_t attitude_log_of_w = (in->attitude_w * in->attitude_w_2) +
-        (in->attitude_x * in->attitude_x_2) +
-        ((in->attitude_y * in->attitude_y_2) + (in->attitude_z * in->attitude_z_2));
-    const rover_real_t attitude_log_of_x = (in->attitude_w * in->attitude_x_2) -
-        (in->attitude_x * in->attitude_w_2) +
-        ((in->attitude_z * in->attitude_y_2) - (in->attitude_y * in->attitude_z_2));
-    const rover_real_t attitude_log_of_y = (in->attitude_w * in->attitude_y_2) -
-        (in->attitude_y * in->attitude_w_2) +
-        ((in->attitude_x * in->attitude_z_2) - (in->attitude_z * in->attitude_x_2));
-    const rover_real_t attitude_log_of_z = (in->attitude_w * in->attitude_z_2) -
-        (in->attitude_x * in->attitude_y_2) +
-        ((in->attitude_y * in->attitude_x_2) - (in->attitude_z * in->attitude_w_2));
+    const rover_real_t attitude_log_of_w = (in->attitude_w * in->y_attitude_w) +
+        (in->attitude_x * in->y_attitude_x) +
+        ((in->attitude_y * in->y_attitude_y) + (in->attitude_z * in->y_attitude_z));
+    const rover_real_t attitude_log_of_x = (in->attitude_w * in->y_attitude_x) -
+        (in->attitude_x * in->y_attitude_w) +
+        ((in->attitude_z * in->y_attitude_y) - (in->attitude_y * in->y_attitude_z));
+    const rover_real_t attitude_log_of_y = (in->attitude_w * in->y_attitude_y) -
+        (in->attitude_y * in->y_attitude_w) +
+        ((in->attitude_x * in->y_attitude_z) - (in->attitude_z * in->y_attitude_x));
+    const rover_real_t attitude_log_of_z = (in->attitude_w * in->y_attitude_z) -
+        (in->attitude_x * in->y_attitude_y) +
+        ((in->attitude_y * in->y_attitude_x) - (in->attitude_z * in->y_attitude_w));
     const rover_real_t attitude_log_sign = (attitude_log_of_w < 0.0) ? (-1.0) : 1.0;
     const rover_real_t attitude_log_w = attitude_log_of_w * attitude_log_sign;
     const rover_real_t attitude_log_sine_squared = (attitude_log_of_x * attitude_log_of_x) +
@@ -225,30 +225,30 @@ ROVER_INLINE rover_flag_t local_kernel(const local_input_t *in, local_output_t *
         ((2.0 * attitude_log_series) / attitude_log_cosine) : attitude_log_far;
     const rover_real_t attitude_log_signed_scale = attitude_log_scale * attitude_log_sign;
 
-    out->value[0] = in->position_x_2 - in->position_x;  /* position x */
-    out->value[1] = in->position_y_2 - in->position_y;  /* position y */
-    out->value[2] = in->position_z_2 - in->position_z;  /* position z */
-    out->value[3] = in->velocity_x_2 - in->velocity_x;  /* velocity x */
-    out->value[4] = in->velocity_y_2 - in->velocity_y;  /* velocity y */
-    out->value[5] = in->velocity_z_2 - in->velocity_z;  /* velocity z */
+    out->value[0] = in->y_position_x - in->position_x;  /* position x */
+    out->value[1] = in->y_position_y - in->position_y;  /* position y */
+    out->value[2] = in->y_position_z - in->position_z;  /* position z */
+    out->value[3] = in->y_velocity_x - in->velocity_x;  /* velocity x */
+    out->value[4] = in->y_velocity_y - in->velocity_y;  /* velocity y */
+    out->value[5] = in->y_velocity_z - in->velocity_z;  /* velocity z */
     out->value[6] = attitude_log_of_x * attitude_log_signed_scale;  /* attitude x */
     out->value[7] = attitude_log_of_y * attitude_log_signed_scale;  /* attitude y */
     out->value[8] = attitude_log_of_z * attitude_log_signed_scale;  /* attitude z */
     /* accelerometer_bias x */
-    out->value[9] = in->accelerometer_bias_x_2 - in->accelerometer_bias_x;
+    out->value[9] = in->y_accelerometer_bias_x - in->accelerometer_bias_x;
     /* accelerometer_bias y */
-    out->value[10] = in->accelerometer_bias_y_2 - in->accelerometer_bias_y;
+    out->value[10] = in->y_accelerometer_bias_y - in->accelerometer_bias_y;
     /* accelerometer_bias z */
-    out->value[11] = in->accelerometer_bias_z_2 - in->accelerometer_bias_z;
-    out->value[12] = in->gyro_bias_x_2 - in->gyro_bias_x;  /* gyro_bias x */
-    out->value[13] = in->gyro_bias_y_2 - in->gyro_bias_y;  /* gyro_bias y */
-    out->value[14] = in->gyro_bias_z_2 - in->gyro_bias_z;  /* gyro_bias z */
-    out->value[15] = in->antenna_x_2 - in->antenna_x;  /* antenna x */
-    out->value[16] = in->antenna_y_2 - in->antenna_y;  /* antenna y */
-    out->value[17] = in->antenna_z_2 - in->antenna_z;  /* antenna z */
-    out->value[18] = in->b_gps_2 - in->b_gps;  /* b_gps */
-    out->value[19] = in->b_galileo_2 - in->b_galileo;  /* b_galileo */
-    out->value[20] = in->drift_2 - in->drift;  /* drift */
+    out->value[11] = in->y_accelerometer_bias_z - in->accelerometer_bias_z;
+    out->value[12] = in->y_gyro_bias_x - in->gyro_bias_x;  /* gyro_bias x */
+    out->value[13] = in->y_gyro_bias_y - in->gyro_bias_y;  /* gyro_bias y */
+    out->value[14] = in->y_gyro_bias_z - in->gyro_bias_z;  /* gyro_bias z */
+    out->value[15] = in->y_antenna_x - in->antenna_x;  /* antenna x */
+    out->value[16] = in->y_antenna_y - in->antenna_y;  /* antenna y */
+    out->value[17] = in->y_antenna_z - in->antenna_z;  /* antenna z */
+    out->value[18] = in->y_b_gps - in->b_gps;  /* b_gps */
+    out->value[19] = in->y_b_galileo - in->b_galileo;  /* b_galileo */
+    out->value[20] = in->y_drift - in->drift;  /* drift */
 
     return (rover_flag_t)ROVER_OK;
 }

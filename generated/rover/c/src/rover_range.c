@@ -368,10 +368,10 @@ rover_status_t rover_range(
 {
     rover_status_t status = ROVER_NULL;
 
-    if ((x != NULL) && (nav_to_ecef != NULL) && (origin != NULL) && (system != NULL) &&
-        (satellite_position != NULL) && (satellite_clock != NULL) && (troposphere != NULL) &&
-        (ionosphere != NULL) && (measured != NULL) && (value != NULL) && (residual != NULL) &&
-        (jacobian != NULL) && (item_status != NULL)) {
+    if ((item_status != NULL) && (jacobian != NULL) && (residual != NULL) && (value != NULL) &&
+        (measured != NULL) && (ionosphere != NULL) && (troposphere != NULL) &&
+        (satellite_clock != NULL) && (satellite_position != NULL) && (system != NULL) &&
+        (origin != NULL) && (nav_to_ecef != NULL) && (x != NULL)) {
         status = ROVER_COUNT;
         if ((n >= 0) && (n <= ROVER_RANGE_MAX_ITEMS)) {
             status = range_rows(x, n, nav_to_ecef, origin, system, satellite_position,
@@ -399,10 +399,10 @@ rover_status_t rover_range_value(
 {
     rover_status_t status = ROVER_NULL;
 
-    if ((x != NULL) && (nav_to_ecef != NULL) && (origin != NULL) && (system != NULL) &&
-        (satellite_position != NULL) && (satellite_clock != NULL) && (troposphere != NULL) &&
-        (ionosphere != NULL) && (measured != NULL) && (value != NULL) && (residual != NULL) &&
-        (item_status != NULL)) {
+    if ((item_status != NULL) && (residual != NULL) && (value != NULL) && (measured != NULL) &&
+        (ionosphere != NULL) && (troposphere != NULL) && (satellite_clock != NULL) &&
+        (satellite_position != NULL) && (system != NULL) && (origin != NULL) &&
+        (nav_to_ecef != NULL) && (x != NULL)) {
         status = ROVER_COUNT;
         if ((n >= 0) && (n <= ROVER_RANGE_MAX_ITEMS)) {
             status = range_rows_value(x, n, nav_to_ecef, origin, system, satellite_position,
@@ -428,9 +428,9 @@ rover_status_t rover_range_jacobian(
 {
     rover_status_t status = ROVER_NULL;
 
-    if ((x != NULL) && (nav_to_ecef != NULL) && (origin != NULL) && (system != NULL) &&
-        (satellite_position != NULL) && (satellite_clock != NULL) && (troposphere != NULL) &&
-        (ionosphere != NULL) && (measured != NULL) && (jacobian != NULL) && (item_status != NULL)) {
+    if ((item_status != NULL) && (jacobian != NULL) && (measured != NULL) && (ionosphere != NULL) &&
+        (troposphere != NULL) && (satellite_clock != NULL) && (satellite_position != NULL) &&
+        (system != NULL) && (origin != NULL) && (nav_to_ecef != NULL) && (x != NULL)) {
         status = ROVER_COUNT;
         if ((n >= 0) && (n <= ROVER_RANGE_MAX_ITEMS)) {
             status = range_rows_jacobian(x, n, nav_to_ecef, origin, system, satellite_position,
@@ -543,10 +543,10 @@ ROVER_WIDE rover_status_t rover_range_nz(
 {
     rover_status_t status = ROVER_NULL;
 
-    if ((x != NULL) && (nav_to_ecef != NULL) && (origin != NULL) && (system != NULL) &&
-        (satellite_position != NULL) && (satellite_clock != NULL) && (troposphere != NULL) &&
-        (ionosphere != NULL) && (measured != NULL) && (value != NULL) && (residual != NULL) &&
-        (jacobian_nz != NULL) && (item_status != NULL)) {
+    if ((item_status != NULL) && (jacobian_nz != NULL) && (residual != NULL) && (value != NULL) &&
+        (measured != NULL) && (ionosphere != NULL) && (troposphere != NULL) &&
+        (satellite_clock != NULL) && (satellite_position != NULL) && (system != NULL) &&
+        (origin != NULL) && (nav_to_ecef != NULL) && (x != NULL)) {
         status = ROVER_COUNT;
         if ((n >= 0) && (n <= ROVER_RANGE_MAX_ITEMS)) {
             status = range_sparse(ROVER_RANGE_MAX_ITEMS, x, n, nav_to_ecef, origin, system,
@@ -586,10 +586,10 @@ rover_status_t rover_range_batch(
 {
     rover_status_t result = ROVER_NULL;
 
-    if ((x != NULL) && (nav_to_ecef != NULL) && (origin != NULL) && (system != NULL) &&
-        (satellite_position != NULL) && (satellite_clock != NULL) && (troposphere != NULL) &&
-        (ionosphere != NULL) && (measured != NULL) && (value != NULL) && (residual != NULL) &&
-        (jacobian != NULL) && (status != NULL) && (item_status != NULL)) {
+    if ((item_status != NULL) && (status != NULL) && (jacobian != NULL) && (residual != NULL) &&
+        (value != NULL) && (measured != NULL) && (ionosphere != NULL) && (troposphere != NULL) &&
+        (satellite_clock != NULL) && (satellite_position != NULL) && (system != NULL) &&
+        (origin != NULL) && (nav_to_ecef != NULL) && (x != NULL)) {
         result = ROVER_COUNT;
         if ((epochs >= 0) && (n >= 0) && (n <= ROVER_RANGE_MAX_ITEMS)) {
             result = ROVER_OK;
@@ -642,10 +642,10 @@ ROVER_WIDE rover_status_t rover_range_batch_nz(
 {
     rover_status_t result = ROVER_NULL;
 
-    if ((x != NULL) && (nav_to_ecef != NULL) && (origin != NULL) && (system != NULL) &&
-        (satellite_position != NULL) && (satellite_clock != NULL) && (troposphere != NULL) &&
-        (ionosphere != NULL) && (measured != NULL) && (value != NULL) && (residual != NULL) &&
-        (jacobian_nz != NULL) && (status != NULL) && (item_status != NULL)) {
+    if ((item_status != NULL) && (status != NULL) && (jacobian_nz != NULL) && (residual != NULL) &&
+        (value != NULL) && (measured != NULL) && (ionosphere != NULL) && (troposphere != NULL) &&
+        (satellite_clock != NULL) && (satellite_position != NULL) && (system != NULL) &&
+        (origin != NULL) && (nav_to_ecef != NULL) && (x != NULL)) {
         result = ROVER_COUNT;
         if ((epochs >= 0) && (n >= 0) && (n <= ROVER_RANGE_MAX_ITEMS)) {
             result = ROVER_OK;

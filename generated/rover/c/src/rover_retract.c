@@ -92,43 +92,43 @@ ROVER_INLINE rover_flag_t retract_load_lane(
     outside |= take_centred(x[21 * stride], 1000000000.0, &in->drift);
 
     /* position [m, in n] */
-    outside |= take_centred(d[0], 1000000000.0, &in->position_x_2);
-    outside |= take_centred(d[stride], 1000000000.0, &in->position_y_2);
-    outside |= take_centred(d[2 * stride], 1000000000.0, &in->position_z_2);
+    outside |= take_centred(d[0], 1000000000.0, &in->d_position_x);
+    outside |= take_centred(d[stride], 1000000000.0, &in->d_position_y);
+    outside |= take_centred(d[2 * stride], 1000000000.0, &in->d_position_z);
 
     /* velocity [m/s, in n] */
-    outside |= take_centred(d[3 * stride], 1000000000.0, &in->velocity_x_2);
-    outside |= take_centred(d[4 * stride], 1000000000.0, &in->velocity_y_2);
-    outside |= take_centred(d[5 * stride], 1000000000.0, &in->velocity_z_2);
+    outside |= take_centred(d[3 * stride], 1000000000.0, &in->d_velocity_x);
+    outside |= take_centred(d[4 * stride], 1000000000.0, &in->d_velocity_y);
+    outside |= take_centred(d[5 * stride], 1000000000.0, &in->d_velocity_z);
 
     /* attitude [rad, in b] */
-    outside |= take_centred(d[6 * stride], 6.0, &in->attitude_x_2);
-    outside |= take_centred(d[7 * stride], 6.0, &in->attitude_y_2);
-    outside |= take_centred(d[8 * stride], 6.0, &in->attitude_z_2);
+    outside |= take_centred(d[6 * stride], 6.0, &in->d_attitude_x);
+    outside |= take_centred(d[7 * stride], 6.0, &in->d_attitude_y);
+    outside |= take_centred(d[8 * stride], 6.0, &in->d_attitude_z);
 
     /* accelerometer_bias [m/s^2, in b] */
-    outside |= take_centred(d[9 * stride], 1000000000.0, &in->accelerometer_bias_x_2);
-    outside |= take_centred(d[10 * stride], 1000000000.0, &in->accelerometer_bias_y_2);
-    outside |= take_centred(d[11 * stride], 1000000000.0, &in->accelerometer_bias_z_2);
+    outside |= take_centred(d[9 * stride], 1000000000.0, &in->d_accelerometer_bias_x);
+    outside |= take_centred(d[10 * stride], 1000000000.0, &in->d_accelerometer_bias_y);
+    outside |= take_centred(d[11 * stride], 1000000000.0, &in->d_accelerometer_bias_z);
 
     /* gyro_bias [rad/s, in b] */
-    outside |= take_centred(d[12 * stride], 1000000000.0, &in->gyro_bias_x_2);
-    outside |= take_centred(d[13 * stride], 1000000000.0, &in->gyro_bias_y_2);
-    outside |= take_centred(d[14 * stride], 1000000000.0, &in->gyro_bias_z_2);
+    outside |= take_centred(d[12 * stride], 1000000000.0, &in->d_gyro_bias_x);
+    outside |= take_centred(d[13 * stride], 1000000000.0, &in->d_gyro_bias_y);
+    outside |= take_centred(d[14 * stride], 1000000000.0, &in->d_gyro_bias_z);
 
     /* antenna [m, in b] */
-    outside |= take_centred(d[15 * stride], 1000000000.0, &in->antenna_x_2);
-    outside |= take_centred(d[16 * stride], 1000000000.0, &in->antenna_y_2);
-    outside |= take_centred(d[17 * stride], 1000000000.0, &in->antenna_z_2);
+    outside |= take_centred(d[15 * stride], 1000000000.0, &in->d_antenna_x);
+    outside |= take_centred(d[16 * stride], 1000000000.0, &in->d_antenna_y);
+    outside |= take_centred(d[17 * stride], 1000000000.0, &in->d_antenna_z);
 
     /* b_gps [m] */
-    outside |= take_centred(d[18 * stride], 1000000000.0, &in->b_gps_2);
+    outside |= take_centred(d[18 * stride], 1000000000.0, &in->d_b_gps);
 
     /* b_galileo [m] */
-    outside |= take_centred(d[19 * stride], 1000000000.0, &in->b_galileo_2);
+    outside |= take_centred(d[19 * stride], 1000000000.0, &in->d_b_galileo);
 
     /* drift [m/s] */
-    outside |= take_centred(d[20 * stride], 1000000000.0, &in->drift_2);
+    outside |= take_centred(d[20 * stride], 1000000000.0, &in->d_drift);
 
     return ((rover_flag_t)ROVER_RANGE * outside) +
         ((rover_flag_t)ROVER_QNORM * (skewed & ~outside));
@@ -163,27 +163,27 @@ ROVER_INLINE void retract_copy(
     in->b_gps = x[19 * stride];
     in->b_galileo = x[20 * stride];
     in->drift = x[21 * stride];
-    in->position_x_2 = d[0];
-    in->position_y_2 = d[stride];
-    in->position_z_2 = d[2 * stride];
-    in->velocity_x_2 = d[3 * stride];
-    in->velocity_y_2 = d[4 * stride];
-    in->velocity_z_2 = d[5 * stride];
-    in->attitude_x_2 = d[6 * stride];
-    in->attitude_y_2 = d[7 * stride];
-    in->attitude_z_2 = d[8 * stride];
-    in->accelerometer_bias_x_2 = d[9 * stride];
-    in->accelerometer_bias_y_2 = d[10 * stride];
-    in->accelerometer_bias_z_2 = d[11 * stride];
-    in->gyro_bias_x_2 = d[12 * stride];
-    in->gyro_bias_y_2 = d[13 * stride];
-    in->gyro_bias_z_2 = d[14 * stride];
-    in->antenna_x_2 = d[15 * stride];
-    in->antenna_y_2 = d[16 * stride];
-    in->antenna_z_2 = d[17 * stride];
-    in->b_gps_2 = d[18 * stride];
-    in->b_galileo_2 = d[19 * stride];
-    in->drift_2 = d[20 * stride];
+    in->d_position_x = d[0];
+    in->d_position_y = d[stride];
+    in->d_position_z = d[2 * stride];
+    in->d_velocity_x = d[3 * stride];
+    in->d_velocity_y = d[4 * stride];
+    in->d_velocity_z = d[5 * stride];
+    in->d_attitude_x = d[6 * stride];
+    in->d_attitude_y = d[7 * stride];
+    in->d_attitude_z = d[8 * stride];
+    in->d_accelerometer_bias_x = d[9 * stride];
+    in->d_accelerometer_bias_y = d[10 * stride];
+    in->d_accelerometer_bias_z = d[11 * stride];
+    in->d_gyro_bias_x = d[12 * stride];
+    in->d_gyro_bias_y = d[13 * stride];
+    in->d_gyro_bias_z = d[14 * stride];
+    in->d_antenna_x = d[15 * stride];
+    in->d_antenna_y = d[16 * stride];
+    in->d_antenna_z = d[17 * stride];
+    in->d_b_gps = d[18 * stride];
+    in->d_b_galileo = d[19 * stride];
+    in->d_drift = d[20 * stride];
 }
 
 /* Store value in full, structural zeros included. */
@@ -223,7 +223,7 @@ ROVER_NARROW rover_status_t rover_retract(
 {
     rover_status_t status = ROVER_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL)) {
+    if ((value != NULL) && (d != NULL) && (x != NULL)) {
         retract_input_t in;
         retract_output_t out;
 
@@ -313,7 +313,7 @@ rover_status_t rover_retract_blocks(
 {
     rover_status_t result = ROVER_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (d != NULL) && (x != NULL)) {
         result = (epochs < 0) ? ROVER_COUNT : ROVER_OK;
         for (ptrdiff_t first = 0; first < epochs; first += ROVER_RETRACT_LANES) {
             const ptrdiff_t rest = epochs - first;
@@ -359,7 +359,7 @@ rover_status_t rover_retract_batch(
 {
     rover_status_t result = ROVER_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (d != NULL) && (x != NULL)) {
         retract_block_t block;
 
         result = (epochs < 0) ? ROVER_COUNT : ROVER_OK;

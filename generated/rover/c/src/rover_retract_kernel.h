@@ -36,27 +36,27 @@ typedef struct {
     rover_real_t b_gps;  /* m */
     rover_real_t b_galileo;  /* m */
     rover_real_t drift;  /* m/s */
-    rover_real_t position_x_2;  /* m, in n */
-    rover_real_t position_y_2;  /* m, in n */
-    rover_real_t position_z_2;  /* m, in n */
-    rover_real_t velocity_x_2;  /* m/s, in n */
-    rover_real_t velocity_y_2;  /* m/s, in n */
-    rover_real_t velocity_z_2;  /* m/s, in n */
-    rover_real_t attitude_x_2;  /* rad, in b */
-    rover_real_t attitude_y_2;  /* rad, in b */
-    rover_real_t attitude_z_2;  /* rad, in b */
-    rover_real_t accelerometer_bias_x_2;  /* m/s^2, in b */
-    rover_real_t accelerometer_bias_y_2;  /* m/s^2, in b */
-    rover_real_t accelerometer_bias_z_2;  /* m/s^2, in b */
-    rover_real_t gyro_bias_x_2;  /* rad/s, in b */
-    rover_real_t gyro_bias_y_2;  /* rad/s, in b */
-    rover_real_t gyro_bias_z_2;  /* rad/s, in b */
-    rover_real_t antenna_x_2;  /* m, in b */
-    rover_real_t antenna_y_2;  /* m, in b */
-    rover_real_t antenna_z_2;  /* m, in b */
-    rover_real_t b_gps_2;  /* m */
-    rover_real_t b_galileo_2;  /* m */
-    rover_real_t drift_2;  /* m/s */
+    rover_real_t d_position_x;  /* m, in n */
+    rover_real_t d_position_y;  /* m, in n */
+    rover_real_t d_position_z;  /* m, in n */
+    rover_real_t d_velocity_x;  /* m/s, in n */
+    rover_real_t d_velocity_y;  /* m/s, in n */
+    rover_real_t d_velocity_z;  /* m/s, in n */
+    rover_real_t d_attitude_x;  /* rad, in b */
+    rover_real_t d_attitude_y;  /* rad, in b */
+    rover_real_t d_attitude_z;  /* rad, in b */
+    rover_real_t d_accelerometer_bias_x;  /* m/s^2, in b */
+    rover_real_t d_accelerometer_bias_y;  /* m/s^2, in b */
+    rover_real_t d_accelerometer_bias_z;  /* m/s^2, in b */
+    rover_real_t d_gyro_bias_x;  /* rad/s, in b */
+    rover_real_t d_gyro_bias_y;  /* rad/s, in b */
+    rover_real_t d_gyro_bias_z;  /* rad/s, in b */
+    rover_real_t d_antenna_x;  /* m, in b */
+    rover_real_t d_antenna_y;  /* m, in b */
+    rover_real_t d_antenna_z;  /* m, in b */
+    rover_real_t d_b_gps;  /* m */
+    rover_real_t d_b_galileo;  /* m */
+    rover_real_t d_drift;  /* m/s */
 } retract_input_t;
 
 /** Structural non-zeros of the results of rover_retract. */
@@ -113,43 +113,43 @@ ROVER_INLINE rover_flag_t retract_load(
     in->drift = x[21];
 
     /* position [m, in n] */
-    in->position_x_2 = d[0];
-    in->position_y_2 = d[1];
-    in->position_z_2 = d[2];
+    in->d_position_x = d[0];
+    in->d_position_y = d[1];
+    in->d_position_z = d[2];
 
     /* velocity [m/s, in n] */
-    in->velocity_x_2 = d[3];
-    in->velocity_y_2 = d[4];
-    in->velocity_z_2 = d[5];
+    in->d_velocity_x = d[3];
+    in->d_velocity_y = d[4];
+    in->d_velocity_z = d[5];
 
     /* attitude [rad, in b] */
-    in->attitude_x_2 = d[6];
-    in->attitude_y_2 = d[7];
-    in->attitude_z_2 = d[8];
+    in->d_attitude_x = d[6];
+    in->d_attitude_y = d[7];
+    in->d_attitude_z = d[8];
 
     /* accelerometer_bias [m/s^2, in b] */
-    in->accelerometer_bias_x_2 = d[9];
-    in->accelerometer_bias_y_2 = d[10];
-    in->accelerometer_bias_z_2 = d[11];
+    in->d_accelerometer_bias_x = d[9];
+    in->d_accelerometer_bias_y = d[10];
+    in->d_accelerometer_bias_z = d[11];
 
     /* gyro_bias [rad/s, in b] */
-    in->gyro_bias_x_2 = d[12];
-    in->gyro_bias_y_2 = d[13];
-    in->gyro_bias_z_2 = d[14];
+    in->d_gyro_bias_x = d[12];
+    in->d_gyro_bias_y = d[13];
+    in->d_gyro_bias_z = d[14];
 
     /* antenna [m, in b] */
-    in->antenna_x_2 = d[15];
-    in->antenna_y_2 = d[16];
-    in->antenna_z_2 = d[17];
+    in->d_antenna_x = d[15];
+    in->d_antenna_y = d[16];
+    in->d_antenna_z = d[17];
 
     /* b_gps [m] */
-    in->b_gps_2 = d[18];
+    in->d_b_gps = d[18];
 
     /* b_galileo [m] */
-    in->b_galileo_2 = d[19];
+    in->d_b_galileo = d[19];
 
     /* drift [m/s] */
-    in->drift_2 = d[20];
+    in->d_drift = d[20];
 
     bool inside = are_three_centred(in->position_x, in->position_y, in->position_z, 100000.0);
     inside = inside &&
@@ -164,19 +164,19 @@ ROVER_INLINE rover_flag_t retract_load(
     inside = inside && is_centred(in->b_galileo, 1000000.0);
     inside = inside && is_centred(in->drift, 1000000000.0);
     inside = inside &&
-        are_three_centred(in->position_x_2, in->position_y_2, in->position_z_2, 1000000000.0);
+        are_three_centred(in->d_position_x, in->d_position_y, in->d_position_z, 1000000000.0);
     inside = inside &&
-        are_three_centred(in->velocity_x_2, in->velocity_y_2, in->velocity_z_2, 1000000000.0);
-    inside = inside && are_three_centred(in->attitude_x_2, in->attitude_y_2, in->attitude_z_2, 6.0);
-    inside = inside && are_three_centred(in->accelerometer_bias_x_2, in->accelerometer_bias_y_2,
-        in->accelerometer_bias_z_2, 1000000000.0);
+        are_three_centred(in->d_velocity_x, in->d_velocity_y, in->d_velocity_z, 1000000000.0);
+    inside = inside && are_three_centred(in->d_attitude_x, in->d_attitude_y, in->d_attitude_z, 6.0);
+    inside = inside && are_three_centred(in->d_accelerometer_bias_x, in->d_accelerometer_bias_y,
+        in->d_accelerometer_bias_z, 1000000000.0);
     inside = inside &&
-        are_three_centred(in->gyro_bias_x_2, in->gyro_bias_y_2, in->gyro_bias_z_2, 1000000000.0);
+        are_three_centred(in->d_gyro_bias_x, in->d_gyro_bias_y, in->d_gyro_bias_z, 1000000000.0);
     inside = inside &&
-        are_three_centred(in->antenna_x_2, in->antenna_y_2, in->antenna_z_2, 1000000000.0);
-    inside = inside && is_centred(in->b_gps_2, 1000000000.0);
-    inside = inside && is_centred(in->b_galileo_2, 1000000000.0);
-    inside = inside && is_centred(in->drift_2, 1000000000.0);
+        are_three_centred(in->d_antenna_x, in->d_antenna_y, in->d_antenna_z, 1000000000.0);
+    inside = inside && is_centred(in->d_b_gps, 1000000000.0);
+    inside = inside && is_centred(in->d_b_galileo, 1000000000.0);
+    inside = inside && is_centred(in->d_drift, 1000000000.0);
 
     skewed |= is_skewed_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z,
         1.0e-05);
@@ -188,8 +188,8 @@ ROVER_INLINE rover_flag_t retract_load(
 /* State moved by an error: values and structural non-zeros. */
 ROVER_INLINE rover_flag_t retract_kernel(const retract_input_t *in, retract_output_t *out)
 {
-    const rover_real_t attitude_exp_angle_squared = (in->attitude_x_2 * in->attitude_x_2) +
-        (in->attitude_y_2 * in->attitude_y_2) + (in->attitude_z_2 * in->attitude_z_2);
+    const rover_real_t attitude_exp_angle_squared = (in->d_attitude_x * in->d_attitude_x) +
+        (in->d_attitude_y * in->d_attitude_y) + (in->d_attitude_z * in->d_attitude_z);
     const rover_real_t attitude_exp_safe_squared = (attitude_exp_angle_squared < 0.01) ? 1.0 :
         attitude_exp_angle_squared;
     const rover_real_t attitude_exp_angle = sqrt(attitude_exp_safe_squared);
@@ -209,16 +209,16 @@ ROVER_INLINE rover_flag_t retract_kernel(const retract_input_t *in, retract_outp
         attitude_exp_near_cosine : attitude_exp_far_cosine;
     const rover_real_t attitude_exp_sinc = (attitude_exp_angle_squared < 0.01) ?
         attitude_exp_near_sinc : attitude_exp_far_sinc;
-    const rover_real_t attitude_step_x = attitude_exp_sinc * in->attitude_x_2;
-    const rover_real_t attitude_step_y = attitude_exp_sinc * in->attitude_y_2;
-    const rover_real_t attitude_step_z = attitude_exp_sinc * in->attitude_z_2;
+    const rover_real_t attitude_step_x = attitude_exp_sinc * in->d_attitude_x;
+    const rover_real_t attitude_step_y = attitude_exp_sinc * in->d_attitude_y;
+    const rover_real_t attitude_step_z = attitude_exp_sinc * in->d_attitude_z;
 
-    out->value[0] = in->position_x_2 + in->position_x;  /* position x */
-    out->value[1] = in->position_y_2 + in->position_y;  /* position y */
-    out->value[2] = in->position_z_2 + in->position_z;  /* position z */
-    out->value[3] = in->velocity_x_2 + in->velocity_x;  /* velocity x */
-    out->value[4] = in->velocity_y_2 + in->velocity_y;  /* velocity y */
-    out->value[5] = in->velocity_z_2 + in->velocity_z;  /* velocity z */
+    out->value[0] = in->d_position_x + in->position_x;  /* position x */
+    out->value[1] = in->d_position_y + in->position_y;  /* position y */
+    out->value[2] = in->d_position_z + in->position_z;  /* position z */
+    out->value[3] = in->d_velocity_x + in->velocity_x;  /* velocity x */
+    out->value[4] = in->d_velocity_y + in->velocity_y;  /* velocity y */
+    out->value[5] = in->d_velocity_z + in->velocity_z;  /* velocity z */
     /* attitude w */
     out->value[6] = (attitude_exp_cosine * in->attitude_w) - (attitude_step_x * in->attitude_x) -
         ((attitude_step_y * in->attitude_y) + (attitude_step_z * in->attitude_z));
@@ -232,20 +232,20 @@ ROVER_INLINE rover_flag_t retract_kernel(const retract_input_t *in, retract_outp
     out->value[9] = (attitude_exp_cosine * in->attitude_z) + (attitude_step_y * in->attitude_x) +
         ((attitude_step_z * in->attitude_w) - (attitude_step_x * in->attitude_y));
     /* accelerometer_bias x */
-    out->value[10] = in->accelerometer_bias_x + in->accelerometer_bias_x_2;
+    out->value[10] = in->accelerometer_bias_x + in->d_accelerometer_bias_x;
     /* accelerometer_bias y */
-    out->value[11] = in->accelerometer_bias_y + in->accelerometer_bias_y_2;
+    out->value[11] = in->accelerometer_bias_y + in->d_accelerometer_bias_y;
     /* accelerometer_bias z */
-    out->value[12] = in->accelerometer_bias_z + in->accelerometer_bias_z_2;
-    out->value[13] = in->gyro_bias_x_2 + in->gyro_bias_x;  /* gyro_bias x */
-    out->value[14] = in->gyro_bias_y_2 + in->gyro_bias_y;  /* gyro_bias y */
-    out->value[15] = in->gyro_bias_z_2 + in->gyro_bias_z;  /* gyro_bias z */
-    out->value[16] = in->antenna_x + in->antenna_x_2;  /* antenna x */
-    out->value[17] = in->antenna_y + in->antenna_y_2;  /* antenna y */
-    out->value[18] = in->antenna_z + in->antenna_z_2;  /* antenna z */
-    out->value[19] = in->b_gps + in->b_gps_2;  /* b_gps */
-    out->value[20] = in->b_galileo + in->b_galileo_2;  /* b_galileo */
-    out->value[21] = in->drift_2 + in->drift;  /* drift */
+    out->value[12] = in->accelerometer_bias_z + in->d_accelerometer_bias_z;
+    out->value[13] = in->d_gyro_bias_x + in->gyro_bias_x;  /* gyro_bias x */
+    out->value[14] = in->d_gyro_bias_y + in->gyro_bias_y;  /* gyro_bias y */
+    out->value[15] = in->d_gyro_bias_z + in->gyro_bias_z;  /* gyro_bias z */
+    out->value[16] = in->antenna_x + in->d_antenna_x;  /* antenna x */
+    out->value[17] = in->antenna_y + in->d_antenna_y;  /* antenna y */
+    out->value[18] = in->antenna_z + in->d_antenna_z;  /* antenna z */
+    out->value[19] = in->b_gps + in->d_b_gps;  /* b_gps */
+    out->value[20] = in->b_galileo + in->d_b_galileo;  /* b_galileo */
+    out->value[21] = in->d_drift + in->drift;  /* drift */
 
     return (rover_flag_t)ROVER_OK;
 }

@@ -262,13 +262,13 @@ SINGLE_POINT_NARROW single_point_status_t single_point_broadcast_orbit(
 {
     single_point_status_t status = SINGLE_POINT_NULL;
 
-    if ((time_2 != NULL) && (toe != NULL) && (toc != NULL) && (sqrt_a != NULL) &&
-        (eccentricity != NULL) && (mean_anomaly != NULL) && (mean_motion_difference != NULL) &&
-        (inclination != NULL) && (inclination_rate != NULL) && (right_ascension != NULL) &&
-        (right_ascension_rate != NULL) && (argument_of_perigee != NULL) && (cuc != NULL) &&
-        (cus != NULL) && (crc != NULL) && (crs != NULL) && (cic != NULL) && (cis != NULL) &&
-        (af0 != NULL) && (af1 != NULL) && (af2 != NULL) && (group_delay != NULL) &&
-        (position != NULL) && (clock != NULL) && (velocity != NULL) && (clock_rate != NULL)) {
+    if ((clock_rate != NULL) && (velocity != NULL) && (clock != NULL) && (position != NULL) &&
+        (group_delay != NULL) && (af2 != NULL) && (af1 != NULL) && (af0 != NULL) && (cis != NULL) &&
+        (cic != NULL) && (crs != NULL) && (crc != NULL) && (cus != NULL) && (cuc != NULL) &&
+        (argument_of_perigee != NULL) && (right_ascension_rate != NULL) &&
+        (right_ascension != NULL) && (inclination_rate != NULL) && (inclination != NULL) &&
+        (mean_motion_difference != NULL) && (mean_anomaly != NULL) && (eccentricity != NULL) &&
+        (sqrt_a != NULL) && (toc != NULL) && (toe != NULL) && (time_2 != NULL)) {
         broadcast_orbit_input_t in;
         broadcast_orbit_output_t out;
 
@@ -481,14 +481,14 @@ single_point_status_t single_point_broadcast_orbit_blocks(
 {
     single_point_status_t result = SINGLE_POINT_NULL;
 
-    if ((time_2 != NULL) && (toe != NULL) && (toc != NULL) && (sqrt_a != NULL) &&
-        (eccentricity != NULL) && (mean_anomaly != NULL) && (mean_motion_difference != NULL) &&
-        (inclination != NULL) && (inclination_rate != NULL) && (right_ascension != NULL) &&
-        (right_ascension_rate != NULL) && (argument_of_perigee != NULL) && (cuc != NULL) &&
-        (cus != NULL) && (crc != NULL) && (crs != NULL) && (cic != NULL) && (cis != NULL) &&
-        (af0 != NULL) && (af1 != NULL) && (af2 != NULL) && (group_delay != NULL) &&
-        (position != NULL) && (clock != NULL) && (velocity != NULL) && (clock_rate != NULL) &&
-        (status != NULL)) {
+    if ((status != NULL) && (clock_rate != NULL) && (velocity != NULL) && (clock != NULL) &&
+        (position != NULL) && (group_delay != NULL) && (af2 != NULL) && (af1 != NULL) &&
+        (af0 != NULL) && (cis != NULL) && (cic != NULL) && (crs != NULL) && (crc != NULL) &&
+        (cus != NULL) && (cuc != NULL) && (argument_of_perigee != NULL) &&
+        (right_ascension_rate != NULL) && (right_ascension != NULL) && (inclination_rate != NULL) &&
+        (inclination != NULL) && (mean_motion_difference != NULL) && (mean_anomaly != NULL) &&
+        (eccentricity != NULL) && (sqrt_a != NULL) && (toc != NULL) && (toe != NULL) &&
+        (time_2 != NULL)) {
         result = (epochs < 0) ? SINGLE_POINT_COUNT : SINGLE_POINT_OK;
         for (ptrdiff_t first = 0; first < epochs; first += SINGLE_POINT_BROADCAST_ORBIT_LANES) {
             const ptrdiff_t rest = epochs - first;
@@ -675,14 +675,14 @@ single_point_status_t single_point_broadcast_orbit_batch(
 {
     single_point_status_t result = SINGLE_POINT_NULL;
 
-    if ((time_2 != NULL) && (toe != NULL) && (toc != NULL) && (sqrt_a != NULL) &&
-        (eccentricity != NULL) && (mean_anomaly != NULL) && (mean_motion_difference != NULL) &&
-        (inclination != NULL) && (inclination_rate != NULL) && (right_ascension != NULL) &&
-        (right_ascension_rate != NULL) && (argument_of_perigee != NULL) && (cuc != NULL) &&
-        (cus != NULL) && (crc != NULL) && (crs != NULL) && (cic != NULL) && (cis != NULL) &&
-        (af0 != NULL) && (af1 != NULL) && (af2 != NULL) && (group_delay != NULL) &&
-        (position != NULL) && (clock != NULL) && (velocity != NULL) && (clock_rate != NULL) &&
-        (status != NULL)) {
+    if ((status != NULL) && (clock_rate != NULL) && (velocity != NULL) && (clock != NULL) &&
+        (position != NULL) && (group_delay != NULL) && (af2 != NULL) && (af1 != NULL) &&
+        (af0 != NULL) && (cis != NULL) && (cic != NULL) && (crs != NULL) && (crc != NULL) &&
+        (cus != NULL) && (cuc != NULL) && (argument_of_perigee != NULL) &&
+        (right_ascension_rate != NULL) && (right_ascension != NULL) && (inclination_rate != NULL) &&
+        (inclination != NULL) && (mean_motion_difference != NULL) && (mean_anomaly != NULL) &&
+        (eccentricity != NULL) && (sqrt_a != NULL) && (toc != NULL) && (toe != NULL) &&
+        (time_2 != NULL)) {
         broadcast_orbit_block_t block;
 
         result = (epochs < 0) ? SINGLE_POINT_COUNT : SINGLE_POINT_OK;

@@ -17,10 +17,10 @@ typedef struct {
     single_point_real_t position_y;  /* m, in e */
     single_point_real_t position_z;  /* m, in e */
     single_point_real_t clock_bias;  /* m */
-    single_point_real_t position_x_2;  /* m, in e */
-    single_point_real_t position_y_2;  /* m, in e */
-    single_point_real_t position_z_2;  /* m, in e */
-    single_point_real_t clock_bias_2;  /* m */
+    single_point_real_t y_position_x;  /* m, in e */
+    single_point_real_t y_position_y;  /* m, in e */
+    single_point_real_t y_position_z;  /* m, in e */
+    single_point_real_t y_clock_bias;  /* m */
 } local_input_t;
 
 /** Structural non-zeros of the results of single_point_local. */
@@ -44,18 +44,18 @@ SINGLE_POINT_INLINE single_point_flag_t local_load(
     in->clock_bias = x[3];
 
     /* position [m, in e] */
-    in->position_x_2 = y[0];
-    in->position_y_2 = y[1];
-    in->position_z_2 = y[2];
+    in->y_position_x = y[0];
+    in->y_position_y = y[1];
+    in->y_position_z = y[2];
 
     /* clock_bias [m] */
-    in->clock_bias_2 = y[3];
+    in->y_clock_bias = y[3];
 
     bool inside = are_three_centred(in->position_x, in->position_y, in->position_z, 10000000.0);
     inside = inside && is_centred(in->clock_bias, 100000000.0);
     inside = inside &&
-        are_three_centred(in->position_x_2, in->position_y_2, in->position_z_2, 10000000.0);
-    inside = inside && is_centred(in->clock_bias_2, 100000000.0);
+        are_three_centred(in->y_position_x, in->y_position_y, in->y_position_z, 10000000.0);
+    inside = inside && is_centred(in->y_clock_bias, 100000000.0);
 
     return (!inside) ? (single_point_flag_t)SINGLE_POINT_RANGE :
         (single_point_flag_t)SINGLE_POINT_OK;
@@ -65,10 +65,10 @@ SINGLE_POINT_INLINE single_point_flag_t local_load(
 SINGLE_POINT_INLINE single_point_flag_t local_kernel(const local_input_t *in, local_output_t *out)
 {
 
-    out->value[0] = in->position_x_2 - in->position_x;  /* position x */
-    out->value[1] = in->position_y_2 - in->position_y;  /* position y */
-    out->value[2] = in->position_z_2 - in->position_z;  /* position z */
-    out->value[3] = in->clock_bias_2 - in->clock_bias;  /* clock_bias */
+    out->value[0] = in->y_position_x - in->position_x;  /* position x */
+    out->value[1] = in->y_position_y - in->position_y;  /* position y */
+    out->value[2] = in->y_position_z - in->position_z;  /* position z */
+    out->value[3] = in->y_clock_bias - in->clock_bias;  /* clock_bias */
 
     return (single_point_flag_t)SINGLE_POINT_OK;
 }

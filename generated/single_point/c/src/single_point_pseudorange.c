@@ -317,9 +317,9 @@ single_point_status_t single_point_pseudorange(
 {
     single_point_status_t status = SINGLE_POINT_NULL;
 
-    if ((x != NULL) && (satellite_position != NULL) && (satellite_clock != NULL) &&
-        (troposphere != NULL) && (ionosphere != NULL) && (value != NULL) && (jacobian != NULL) &&
-        (item_status != NULL)) {
+    if ((item_status != NULL) && (jacobian != NULL) && (value != NULL) && (ionosphere != NULL) &&
+        (troposphere != NULL) && (satellite_clock != NULL) && (satellite_position != NULL) &&
+        (x != NULL)) {
         status = SINGLE_POINT_COUNT;
         if ((n >= 0) && (n <= SINGLE_POINT_PSEUDORANGE_MAX_ITEMS)) {
             status = pseudorange_rows(x, n, satellite_position, satellite_clock, troposphere,
@@ -344,8 +344,8 @@ single_point_status_t single_point_pseudorange_value(
 {
     single_point_status_t status = SINGLE_POINT_NULL;
 
-    if ((x != NULL) && (satellite_position != NULL) && (satellite_clock != NULL) &&
-        (troposphere != NULL) && (ionosphere != NULL) && (value != NULL) && (item_status != NULL)) {
+    if ((item_status != NULL) && (value != NULL) && (ionosphere != NULL) && (troposphere != NULL) &&
+        (satellite_clock != NULL) && (satellite_position != NULL) && (x != NULL)) {
         status = SINGLE_POINT_COUNT;
         if ((n >= 0) && (n <= SINGLE_POINT_PSEUDORANGE_MAX_ITEMS)) {
             status = pseudorange_rows_value(x, n, satellite_position, satellite_clock, troposphere,
@@ -370,9 +370,9 @@ single_point_status_t single_point_pseudorange_jacobian(
 {
     single_point_status_t status = SINGLE_POINT_NULL;
 
-    if ((x != NULL) && (satellite_position != NULL) && (satellite_clock != NULL) &&
-        (troposphere != NULL) && (ionosphere != NULL) && (jacobian != NULL) &&
-        (item_status != NULL)) {
+    if ((item_status != NULL) && (jacobian != NULL) && (ionosphere != NULL) &&
+        (troposphere != NULL) && (satellite_clock != NULL) && (satellite_position != NULL) &&
+        (x != NULL)) {
         status = SINGLE_POINT_COUNT;
         if ((n >= 0) && (n <= SINGLE_POINT_PSEUDORANGE_MAX_ITEMS)) {
             status = pseudorange_rows_jacobian(x, n, satellite_position, satellite_clock,
@@ -463,9 +463,9 @@ SINGLE_POINT_WIDE single_point_status_t single_point_pseudorange_nz(
 {
     single_point_status_t status = SINGLE_POINT_NULL;
 
-    if ((x != NULL) && (satellite_position != NULL) && (satellite_clock != NULL) &&
-        (troposphere != NULL) && (ionosphere != NULL) && (value != NULL) && (jacobian_nz != NULL) &&
-        (item_status != NULL)) {
+    if ((item_status != NULL) && (jacobian_nz != NULL) && (value != NULL) && (ionosphere != NULL) &&
+        (troposphere != NULL) && (satellite_clock != NULL) && (satellite_position != NULL) &&
+        (x != NULL)) {
         status = SINGLE_POINT_COUNT;
         if ((n >= 0) && (n <= SINGLE_POINT_PSEUDORANGE_MAX_ITEMS)) {
             status = pseudorange_sparse(SINGLE_POINT_PSEUDORANGE_MAX_ITEMS, x, n,
@@ -496,9 +496,9 @@ single_point_status_t single_point_pseudorange_batch(
 {
     single_point_status_t result = SINGLE_POINT_NULL;
 
-    if ((x != NULL) && (satellite_position != NULL) && (satellite_clock != NULL) &&
-        (troposphere != NULL) && (ionosphere != NULL) && (value != NULL) && (jacobian != NULL) &&
-        (status != NULL) && (item_status != NULL)) {
+    if ((item_status != NULL) && (status != NULL) && (jacobian != NULL) && (value != NULL) &&
+        (ionosphere != NULL) && (troposphere != NULL) && (satellite_clock != NULL) &&
+        (satellite_position != NULL) && (x != NULL)) {
         result = SINGLE_POINT_COUNT;
         if ((epochs >= 0) && (n >= 0) && (n <= SINGLE_POINT_PSEUDORANGE_MAX_ITEMS)) {
             result = SINGLE_POINT_OK;
@@ -539,9 +539,9 @@ SINGLE_POINT_WIDE single_point_status_t single_point_pseudorange_batch_nz(
 {
     single_point_status_t result = SINGLE_POINT_NULL;
 
-    if ((x != NULL) && (satellite_position != NULL) && (satellite_clock != NULL) &&
-        (troposphere != NULL) && (ionosphere != NULL) && (value != NULL) && (jacobian_nz != NULL) &&
-        (status != NULL) && (item_status != NULL)) {
+    if ((item_status != NULL) && (status != NULL) && (jacobian_nz != NULL) && (value != NULL) &&
+        (ionosphere != NULL) && (troposphere != NULL) && (satellite_clock != NULL) &&
+        (satellite_position != NULL) && (x != NULL)) {
         result = SINGLE_POINT_COUNT;
         if ((epochs >= 0) && (n >= 0) && (n <= SINGLE_POINT_PSEUDORANGE_MAX_ITEMS)) {
             result = SINGLE_POINT_OK;

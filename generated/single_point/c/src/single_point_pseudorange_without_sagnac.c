@@ -335,9 +335,9 @@ single_point_status_t single_point_pseudorange_without_sagnac(
 {
     single_point_status_t status = SINGLE_POINT_NULL;
 
-    if ((x != NULL) && (satellite_position != NULL) && (satellite_clock != NULL) &&
-        (troposphere != NULL) && (ionosphere != NULL) && (value != NULL) && (jacobian != NULL) &&
-        (item_status != NULL)) {
+    if ((item_status != NULL) && (jacobian != NULL) && (value != NULL) && (ionosphere != NULL) &&
+        (troposphere != NULL) && (satellite_clock != NULL) && (satellite_position != NULL) &&
+        (x != NULL)) {
         status = SINGLE_POINT_COUNT;
         if ((n >= 0) && (n <= SINGLE_POINT_PSEUDORANGE_WITHOUT_SAGNAC_MAX_ITEMS)) {
             status = pseudorange_without_sagnac_rows(x, n, satellite_position, satellite_clock,
@@ -364,8 +364,8 @@ single_point_status_t single_point_pseudorange_without_sagnac_value(
 {
     single_point_status_t status = SINGLE_POINT_NULL;
 
-    if ((x != NULL) && (satellite_position != NULL) && (satellite_clock != NULL) &&
-        (troposphere != NULL) && (ionosphere != NULL) && (value != NULL) && (item_status != NULL)) {
+    if ((item_status != NULL) && (value != NULL) && (ionosphere != NULL) && (troposphere != NULL) &&
+        (satellite_clock != NULL) && (satellite_position != NULL) && (x != NULL)) {
         status = SINGLE_POINT_COUNT;
         if ((n >= 0) && (n <= SINGLE_POINT_PSEUDORANGE_WITHOUT_SAGNAC_MAX_ITEMS)) {
             status = pseudorange_without_sagnac_rows_value(x, n, satellite_position,
@@ -392,9 +392,9 @@ single_point_status_t single_point_pseudorange_without_sagnac_jacobian(
 {
     single_point_status_t status = SINGLE_POINT_NULL;
 
-    if ((x != NULL) && (satellite_position != NULL) && (satellite_clock != NULL) &&
-        (troposphere != NULL) && (ionosphere != NULL) && (jacobian != NULL) &&
-        (item_status != NULL)) {
+    if ((item_status != NULL) && (jacobian != NULL) && (ionosphere != NULL) &&
+        (troposphere != NULL) && (satellite_clock != NULL) && (satellite_position != NULL) &&
+        (x != NULL)) {
         status = SINGLE_POINT_COUNT;
         if ((n >= 0) && (n <= SINGLE_POINT_PSEUDORANGE_WITHOUT_SAGNAC_MAX_ITEMS)) {
             status = pseudorange_without_sagnac_rows_jacobian(x, n, satellite_position,
@@ -493,9 +493,9 @@ SINGLE_POINT_WIDE single_point_status_t single_point_pseudorange_without_sagnac_
 {
     single_point_status_t status = SINGLE_POINT_NULL;
 
-    if ((x != NULL) && (satellite_position != NULL) && (satellite_clock != NULL) &&
-        (troposphere != NULL) && (ionosphere != NULL) && (value != NULL) && (jacobian_nz != NULL) &&
-        (item_status != NULL)) {
+    if ((item_status != NULL) && (jacobian_nz != NULL) && (value != NULL) && (ionosphere != NULL) &&
+        (troposphere != NULL) && (satellite_clock != NULL) && (satellite_position != NULL) &&
+        (x != NULL)) {
         status = SINGLE_POINT_COUNT;
         if ((n >= 0) && (n <= SINGLE_POINT_PSEUDORANGE_WITHOUT_SAGNAC_MAX_ITEMS)) {
             status =
@@ -527,9 +527,9 @@ single_point_status_t single_point_pseudorange_without_sagnac_batch(
 {
     single_point_status_t result = SINGLE_POINT_NULL;
 
-    if ((x != NULL) && (satellite_position != NULL) && (satellite_clock != NULL) &&
-        (troposphere != NULL) && (ionosphere != NULL) && (value != NULL) && (jacobian != NULL) &&
-        (status != NULL) && (item_status != NULL)) {
+    if ((item_status != NULL) && (status != NULL) && (jacobian != NULL) && (value != NULL) &&
+        (ionosphere != NULL) && (troposphere != NULL) && (satellite_clock != NULL) &&
+        (satellite_position != NULL) && (x != NULL)) {
         result = SINGLE_POINT_COUNT;
         if ((epochs >= 0) && (n >= 0) && (n <= SINGLE_POINT_PSEUDORANGE_WITHOUT_SAGNAC_MAX_ITEMS)) {
             result = SINGLE_POINT_OK;
@@ -571,9 +571,9 @@ SINGLE_POINT_WIDE single_point_status_t single_point_pseudorange_without_sagnac_
 {
     single_point_status_t result = SINGLE_POINT_NULL;
 
-    if ((x != NULL) && (satellite_position != NULL) && (satellite_clock != NULL) &&
-        (troposphere != NULL) && (ionosphere != NULL) && (value != NULL) && (jacobian_nz != NULL) &&
-        (status != NULL) && (item_status != NULL)) {
+    if ((item_status != NULL) && (status != NULL) && (jacobian_nz != NULL) && (value != NULL) &&
+        (ionosphere != NULL) && (troposphere != NULL) && (satellite_clock != NULL) &&
+        (satellite_position != NULL) && (x != NULL)) {
         result = SINGLE_POINT_COUNT;
         if ((epochs >= 0) && (n >= 0) && (n <= SINGLE_POINT_PSEUDORANGE_WITHOUT_SAGNAC_MAX_ITEMS)) {
             result = SINGLE_POINT_OK;

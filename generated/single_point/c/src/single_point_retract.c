@@ -39,12 +39,12 @@ SINGLE_POINT_INLINE single_point_flag_t retract_load_lane(
     outside |= take_centred(x[3 * stride], 100000000.0, &in->clock_bias);
 
     /* position [m, in e] */
-    outside |= take_centred(d[0], 1000000000.0, &in->position_x_2);
-    outside |= take_centred(d[stride], 1000000000.0, &in->position_y_2);
-    outside |= take_centred(d[2 * stride], 1000000000.0, &in->position_z_2);
+    outside |= take_centred(d[0], 1000000000.0, &in->d_position_x);
+    outside |= take_centred(d[stride], 1000000000.0, &in->d_position_y);
+    outside |= take_centred(d[2 * stride], 1000000000.0, &in->d_position_z);
 
     /* clock_bias [m] */
-    outside |= take_centred(d[3 * stride], 1000000000.0, &in->clock_bias_2);
+    outside |= take_centred(d[3 * stride], 1000000000.0, &in->d_clock_bias);
 
     return (single_point_flag_t)SINGLE_POINT_RANGE * outside;
 }
@@ -60,10 +60,10 @@ SINGLE_POINT_INLINE void retract_copy(
     in->position_y = x[stride];
     in->position_z = x[2 * stride];
     in->clock_bias = x[3 * stride];
-    in->position_x_2 = d[0];
-    in->position_y_2 = d[stride];
-    in->position_z_2 = d[2 * stride];
-    in->clock_bias_2 = d[3 * stride];
+    in->d_position_x = d[0];
+    in->d_position_y = d[stride];
+    in->d_position_z = d[2 * stride];
+    in->d_clock_bias = d[3 * stride];
 }
 
 /* Store value in full, structural zeros included. */
@@ -85,7 +85,7 @@ SINGLE_POINT_NARROW single_point_status_t single_point_retract(
 {
     single_point_status_t status = SINGLE_POINT_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL)) {
+    if ((value != NULL) && (d != NULL) && (x != NULL)) {
         retract_input_t in;
         retract_output_t out;
 
@@ -177,7 +177,7 @@ single_point_status_t single_point_retract_blocks(
 {
     single_point_status_t result = SINGLE_POINT_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (d != NULL) && (x != NULL)) {
         result = (epochs < 0) ? SINGLE_POINT_COUNT : SINGLE_POINT_OK;
         for (ptrdiff_t first = 0; first < epochs; first += SINGLE_POINT_RETRACT_LANES) {
             const ptrdiff_t rest = epochs - first;
@@ -223,7 +223,7 @@ single_point_status_t single_point_retract_batch(
 {
     single_point_status_t result = SINGLE_POINT_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (d != NULL) && (x != NULL)) {
         retract_block_t block;
 
         result = (epochs < 0) ? SINGLE_POINT_COUNT : SINGLE_POINT_OK;

@@ -17,10 +17,10 @@ typedef struct {
     single_point_real_t position_y;  /* m, in e */
     single_point_real_t position_z;  /* m, in e */
     single_point_real_t clock_bias;  /* m */
-    single_point_real_t position_x_2;  /* m, in e */
-    single_point_real_t position_y_2;  /* m, in e */
-    single_point_real_t position_z_2;  /* m, in e */
-    single_point_real_t clock_bias_2;  /* m */
+    single_point_real_t d_position_x;  /* m, in e */
+    single_point_real_t d_position_y;  /* m, in e */
+    single_point_real_t d_position_z;  /* m, in e */
+    single_point_real_t d_clock_bias;  /* m */
 } retract_input_t;
 
 /** Structural non-zeros of the results of single_point_retract. */
@@ -44,18 +44,18 @@ SINGLE_POINT_INLINE single_point_flag_t retract_load(
     in->clock_bias = x[3];
 
     /* position [m, in e] */
-    in->position_x_2 = d[0];
-    in->position_y_2 = d[1];
-    in->position_z_2 = d[2];
+    in->d_position_x = d[0];
+    in->d_position_y = d[1];
+    in->d_position_z = d[2];
 
     /* clock_bias [m] */
-    in->clock_bias_2 = d[3];
+    in->d_clock_bias = d[3];
 
     bool inside = are_three_centred(in->position_x, in->position_y, in->position_z, 10000000.0);
     inside = inside && is_centred(in->clock_bias, 100000000.0);
     inside = inside &&
-        are_three_centred(in->position_x_2, in->position_y_2, in->position_z_2, 1000000000.0);
-    inside = inside && is_centred(in->clock_bias_2, 1000000000.0);
+        are_three_centred(in->d_position_x, in->d_position_y, in->d_position_z, 1000000000.0);
+    inside = inside && is_centred(in->d_clock_bias, 1000000000.0);
 
     return (!inside) ? (single_point_flag_t)SINGLE_POINT_RANGE :
         (single_point_flag_t)SINGLE_POINT_OK;
@@ -66,10 +66,10 @@ SINGLE_POINT_INLINE single_point_flag_t
     retract_kernel(const retract_input_t *in, retract_output_t *out)
 {
 
-    out->value[0] = in->position_x_2 + in->position_x;  /* position x */
-    out->value[1] = in->position_y_2 + in->position_y;  /* position y */
-    out->value[2] = in->position_z_2 + in->position_z;  /* position z */
-    out->value[3] = in->clock_bias + in->clock_bias_2;  /* clock_bias */
+    out->value[0] = in->d_position_x + in->position_x;  /* position x */
+    out->value[1] = in->d_position_y + in->position_y;  /* position y */
+    out->value[2] = in->d_position_z + in->position_z;  /* position z */
+    out->value[3] = in->clock_bias + in->d_clock_bias;  /* clock_bias */
 
     return (single_point_flag_t)SINGLE_POINT_OK;
 }

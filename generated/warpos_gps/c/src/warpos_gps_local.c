@@ -63,25 +63,25 @@ WARPOS_GPS_INLINE warpos_gps_flag_t local_load_lane(
     outside |= take_centred(x[14 * stride], 1000000000.0, &in->trailing_7);
 
     /* leading */
-    outside |= take_centred(y[0], 1000000000.0, &in->leading_0_2);
-    outside |= take_centred(y[stride], 1000000000.0, &in->leading_1_2);
-    outside |= take_centred(y[2 * stride], 1000000000.0, &in->leading_2_2);
-    outside |= take_centred(y[3 * stride], 1000000000.0, &in->leading_3_2);
+    outside |= take_centred(y[0], 1000000000.0, &in->y_leading_0);
+    outside |= take_centred(y[stride], 1000000000.0, &in->y_leading_1);
+    outside |= take_centred(y[2 * stride], 1000000000.0, &in->y_leading_2);
+    outside |= take_centred(y[3 * stride], 1000000000.0, &in->y_leading_3);
 
     /* position [m, in f] */
-    outside |= take_centred(y[4 * stride], 1000000000.0, &in->position_x_2);
-    outside |= take_centred(y[5 * stride], 1000000000.0, &in->position_y_2);
-    outside |= take_centred(y[6 * stride], 1000000000.0, &in->position_z_2);
+    outside |= take_centred(y[4 * stride], 1000000000.0, &in->y_position_x);
+    outside |= take_centred(y[5 * stride], 1000000000.0, &in->y_position_y);
+    outside |= take_centred(y[6 * stride], 1000000000.0, &in->y_position_z);
 
     /* trailing */
-    outside |= take_centred(y[7 * stride], 1000000000.0, &in->trailing_0_2);
-    outside |= take_centred(y[8 * stride], 1000000000.0, &in->trailing_1_2);
-    outside |= take_centred(y[9 * stride], 1000000000.0, &in->trailing_2_2);
-    outside |= take_centred(y[10 * stride], 1000000000.0, &in->trailing_3_2);
-    outside |= take_centred(y[11 * stride], 1000000000.0, &in->trailing_4_2);
-    outside |= take_centred(y[12 * stride], 1000000000.0, &in->trailing_5_2);
-    outside |= take_centred(y[13 * stride], 1000000000.0, &in->trailing_6_2);
-    outside |= take_centred(y[14 * stride], 1000000000.0, &in->trailing_7_2);
+    outside |= take_centred(y[7 * stride], 1000000000.0, &in->y_trailing_0);
+    outside |= take_centred(y[8 * stride], 1000000000.0, &in->y_trailing_1);
+    outside |= take_centred(y[9 * stride], 1000000000.0, &in->y_trailing_2);
+    outside |= take_centred(y[10 * stride], 1000000000.0, &in->y_trailing_3);
+    outside |= take_centred(y[11 * stride], 1000000000.0, &in->y_trailing_4);
+    outside |= take_centred(y[12 * stride], 1000000000.0, &in->y_trailing_5);
+    outside |= take_centred(y[13 * stride], 1000000000.0, &in->y_trailing_6);
+    outside |= take_centred(y[14 * stride], 1000000000.0, &in->y_trailing_7);
 
     return (warpos_gps_flag_t)WARPOS_GPS_RANGE * outside;
 }
@@ -108,21 +108,21 @@ WARPOS_GPS_INLINE void local_copy(
     in->trailing_5 = x[12 * stride];
     in->trailing_6 = x[13 * stride];
     in->trailing_7 = x[14 * stride];
-    in->leading_0_2 = y[0];
-    in->leading_1_2 = y[stride];
-    in->leading_2_2 = y[2 * stride];
-    in->leading_3_2 = y[3 * stride];
-    in->position_x_2 = y[4 * stride];
-    in->position_y_2 = y[5 * stride];
-    in->position_z_2 = y[6 * stride];
-    in->trailing_0_2 = y[7 * stride];
-    in->trailing_1_2 = y[8 * stride];
-    in->trailing_2_2 = y[9 * stride];
-    in->trailing_3_2 = y[10 * stride];
-    in->trailing_4_2 = y[11 * stride];
-    in->trailing_5_2 = y[12 * stride];
-    in->trailing_6_2 = y[13 * stride];
-    in->trailing_7_2 = y[14 * stride];
+    in->y_leading_0 = y[0];
+    in->y_leading_1 = y[stride];
+    in->y_leading_2 = y[2 * stride];
+    in->y_leading_3 = y[3 * stride];
+    in->y_position_x = y[4 * stride];
+    in->y_position_y = y[5 * stride];
+    in->y_position_z = y[6 * stride];
+    in->y_trailing_0 = y[7 * stride];
+    in->y_trailing_1 = y[8 * stride];
+    in->y_trailing_2 = y[9 * stride];
+    in->y_trailing_3 = y[10 * stride];
+    in->y_trailing_4 = y[11 * stride];
+    in->y_trailing_5 = y[12 * stride];
+    in->y_trailing_6 = y[13 * stride];
+    in->y_trailing_7 = y[14 * stride];
 }
 
 /* Store value in full, structural zeros included. */
@@ -155,7 +155,7 @@ WARPOS_GPS_NARROW warpos_gps_status_t warpos_gps_local(
 {
     warpos_gps_status_t status = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (y != NULL) && (value != NULL)) {
+    if ((value != NULL) && (y != NULL) && (x != NULL)) {
         local_input_t in;
         local_output_t out;
 
@@ -246,7 +246,7 @@ warpos_gps_status_t warpos_gps_local_blocks(
 {
     warpos_gps_status_t result = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (y != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (y != NULL) && (x != NULL)) {
         result = (epochs < 0) ? WARPOS_GPS_COUNT : WARPOS_GPS_OK;
         for (ptrdiff_t first = 0; first < epochs; first += WARPOS_GPS_LOCAL_LANES) {
             const ptrdiff_t rest = epochs - first;
@@ -292,7 +292,7 @@ warpos_gps_status_t warpos_gps_local_batch(
 {
     warpos_gps_status_t result = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (y != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (y != NULL) && (x != NULL)) {
         local_block_t block;
 
         result = (epochs < 0) ? WARPOS_GPS_COUNT : WARPOS_GPS_OK;

@@ -100,7 +100,7 @@ WARPOS_GPS_NARROW warpos_gps_status_t warpos_gps_measurement(
 {
     warpos_gps_status_t status = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (value != NULL) && (jacobian != NULL)) {
+    if ((jacobian != NULL) && (value != NULL) && (x != NULL)) {
         measurement_input_t in;
         measurement_output_t out;
 
@@ -122,7 +122,7 @@ WARPOS_GPS_NARROW warpos_gps_status_t warpos_gps_measurement_value(
 {
     warpos_gps_status_t status = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (value != NULL)) {
+    if ((value != NULL) && (x != NULL)) {
         measurement_input_t in;
         measurement_output_t out;
 
@@ -143,7 +143,7 @@ WARPOS_GPS_NARROW warpos_gps_status_t warpos_gps_measurement_jacobian(
 {
     warpos_gps_status_t status = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (jacobian != NULL)) {
+    if ((jacobian != NULL) && (x != NULL)) {
         measurement_input_t in;
         measurement_output_t out;
 
@@ -165,7 +165,7 @@ WARPOS_GPS_NARROW warpos_gps_status_t warpos_gps_measurement_nz(
 {
     warpos_gps_status_t status = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (value != NULL) && (jacobian_nz != NULL)) {
+    if ((jacobian_nz != NULL) && (value != NULL) && (x != NULL)) {
         measurement_input_t in;
         measurement_output_t out;
 
@@ -257,7 +257,7 @@ warpos_gps_status_t warpos_gps_measurement_blocks(
 {
     warpos_gps_status_t result = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (value != NULL) && (jacobian_nz != NULL) && (status != NULL)) {
+    if ((status != NULL) && (jacobian_nz != NULL) && (value != NULL) && (x != NULL)) {
         result = (epochs < 0) ? WARPOS_GPS_COUNT : WARPOS_GPS_OK;
         for (ptrdiff_t first = 0; first < epochs; first += WARPOS_GPS_MEASUREMENT_LANES) {
             const ptrdiff_t rest = epochs - first;
@@ -300,7 +300,7 @@ warpos_gps_status_t warpos_gps_measurement_batch(
 {
     warpos_gps_status_t result = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (value != NULL) && (jacobian != NULL) && (status != NULL)) {
+    if ((status != NULL) && (jacobian != NULL) && (value != NULL) && (x != NULL)) {
         measurement_block_t block;
 
         result = (epochs < 0) ? WARPOS_GPS_COUNT : WARPOS_GPS_OK;
@@ -337,7 +337,7 @@ warpos_gps_status_t warpos_gps_measurement_batch_nz(
 {
     warpos_gps_status_t result = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (value != NULL) && (jacobian_nz != NULL) && (status != NULL)) {
+    if ((status != NULL) && (jacobian_nz != NULL) && (value != NULL) && (x != NULL)) {
         measurement_block_t block;
 
         result = (epochs < 0) ? WARPOS_GPS_COUNT : WARPOS_GPS_OK;

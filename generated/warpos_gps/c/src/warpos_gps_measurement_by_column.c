@@ -123,7 +123,7 @@ WARPOS_GPS_NARROW warpos_gps_status_t warpos_gps_measurement_by_column(
 {
     warpos_gps_status_t status = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (value != NULL) && (jacobian != NULL)) {
+    if ((jacobian != NULL) && (value != NULL) && (x != NULL)) {
         measurement_by_column_input_t in;
         measurement_by_column_output_t out;
 
@@ -145,7 +145,7 @@ WARPOS_GPS_NARROW warpos_gps_status_t warpos_gps_measurement_by_column_value(
 {
     warpos_gps_status_t status = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (value != NULL)) {
+    if ((value != NULL) && (x != NULL)) {
         measurement_by_column_input_t in;
         measurement_by_column_output_t out;
 
@@ -166,7 +166,7 @@ WARPOS_GPS_NARROW warpos_gps_status_t warpos_gps_measurement_by_column_jacobian(
 {
     warpos_gps_status_t status = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (jacobian != NULL)) {
+    if ((jacobian != NULL) && (x != NULL)) {
         measurement_by_column_input_t in;
         measurement_by_column_output_t out;
 
@@ -188,7 +188,7 @@ WARPOS_GPS_NARROW warpos_gps_status_t warpos_gps_measurement_by_column_nz(
 {
     warpos_gps_status_t status = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (value != NULL) && (jacobian_nz != NULL)) {
+    if ((jacobian_nz != NULL) && (value != NULL) && (x != NULL)) {
         measurement_by_column_input_t in;
         measurement_by_column_output_t out;
 
@@ -281,7 +281,7 @@ warpos_gps_status_t warpos_gps_measurement_by_column_blocks(
 {
     warpos_gps_status_t result = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (value != NULL) && (jacobian_nz != NULL) && (status != NULL)) {
+    if ((status != NULL) && (jacobian_nz != NULL) && (value != NULL) && (x != NULL)) {
         result = (epochs < 0) ? WARPOS_GPS_COUNT : WARPOS_GPS_OK;
         for (ptrdiff_t first = 0; first < epochs; first += WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES) {
             const ptrdiff_t rest = epochs - first;
@@ -324,7 +324,7 @@ warpos_gps_status_t warpos_gps_measurement_by_column_batch(
 {
     warpos_gps_status_t result = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (value != NULL) && (jacobian != NULL) && (status != NULL)) {
+    if ((status != NULL) && (jacobian != NULL) && (value != NULL) && (x != NULL)) {
         measurement_by_column_block_t block;
 
         result = (epochs < 0) ? WARPOS_GPS_COUNT : WARPOS_GPS_OK;
@@ -361,7 +361,7 @@ warpos_gps_status_t warpos_gps_measurement_by_column_batch_nz(
 {
     warpos_gps_status_t result = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (value != NULL) && (jacobian_nz != NULL) && (status != NULL)) {
+    if ((status != NULL) && (jacobian_nz != NULL) && (value != NULL) && (x != NULL)) {
         measurement_by_column_block_t block;
 
         result = (epochs < 0) ? WARPOS_GPS_COUNT : WARPOS_GPS_OK;

@@ -129,7 +129,7 @@ WARPOS_GPS_NARROW warpos_gps_status_t warpos_gps_observed(
 {
     warpos_gps_status_t status = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (observer_attitude != NULL) && (value != NULL) && (jacobian != NULL)) {
+    if ((jacobian != NULL) && (value != NULL) && (observer_attitude != NULL) && (x != NULL)) {
         observed_input_t in;
         observed_output_t out;
 
@@ -152,7 +152,7 @@ WARPOS_GPS_NARROW warpos_gps_status_t warpos_gps_observed_value(
 {
     warpos_gps_status_t status = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (observer_attitude != NULL) && (value != NULL)) {
+    if ((value != NULL) && (observer_attitude != NULL) && (x != NULL)) {
         observed_input_t in;
         observed_output_t out;
 
@@ -174,7 +174,7 @@ WARPOS_GPS_NARROW warpos_gps_status_t warpos_gps_observed_jacobian(
 {
     warpos_gps_status_t status = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (observer_attitude != NULL) && (jacobian != NULL)) {
+    if ((jacobian != NULL) && (observer_attitude != NULL) && (x != NULL)) {
         observed_input_t in;
         observed_output_t out;
 
@@ -197,7 +197,7 @@ WARPOS_GPS_NARROW warpos_gps_status_t warpos_gps_observed_nz(
 {
     warpos_gps_status_t status = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (observer_attitude != NULL) && (value != NULL) && (jacobian_nz != NULL)) {
+    if ((jacobian_nz != NULL) && (value != NULL) && (observer_attitude != NULL) && (x != NULL)) {
         observed_input_t in;
         observed_output_t out;
 
@@ -294,8 +294,8 @@ warpos_gps_status_t warpos_gps_observed_blocks(
 {
     warpos_gps_status_t result = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (observer_attitude != NULL) && (value != NULL) && (jacobian_nz != NULL) &&
-        (status != NULL)) {
+    if ((status != NULL) && (jacobian_nz != NULL) && (value != NULL) &&
+        (observer_attitude != NULL) && (x != NULL)) {
         result = (epochs < 0) ? WARPOS_GPS_COUNT : WARPOS_GPS_OK;
         for (ptrdiff_t first = 0; first < epochs; first += WARPOS_GPS_OBSERVED_LANES) {
             const ptrdiff_t rest = epochs - first;
@@ -346,8 +346,8 @@ warpos_gps_status_t warpos_gps_observed_batch(
 {
     warpos_gps_status_t result = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (observer_attitude != NULL) && (value != NULL) && (jacobian != NULL) &&
-        (status != NULL)) {
+    if ((status != NULL) && (jacobian != NULL) && (value != NULL) && (observer_attitude != NULL) &&
+        (x != NULL)) {
         observed_block_t block;
 
         result = (epochs < 0) ? WARPOS_GPS_COUNT : WARPOS_GPS_OK;
@@ -387,8 +387,8 @@ warpos_gps_status_t warpos_gps_observed_batch_nz(
 {
     warpos_gps_status_t result = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (observer_attitude != NULL) && (value != NULL) && (jacobian_nz != NULL) &&
-        (status != NULL)) {
+    if ((status != NULL) && (jacobian_nz != NULL) && (value != NULL) &&
+        (observer_attitude != NULL) && (x != NULL)) {
         observed_block_t block;
 
         result = (epochs < 0) ? WARPOS_GPS_COUNT : WARPOS_GPS_OK;

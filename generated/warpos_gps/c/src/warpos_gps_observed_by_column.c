@@ -152,7 +152,7 @@ WARPOS_GPS_NARROW warpos_gps_status_t warpos_gps_observed_by_column(
 {
     warpos_gps_status_t status = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (observer_attitude != NULL) && (value != NULL) && (jacobian != NULL)) {
+    if ((jacobian != NULL) && (value != NULL) && (observer_attitude != NULL) && (x != NULL)) {
         observed_by_column_input_t in;
         observed_by_column_output_t out;
 
@@ -175,7 +175,7 @@ WARPOS_GPS_NARROW warpos_gps_status_t warpos_gps_observed_by_column_value(
 {
     warpos_gps_status_t status = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (observer_attitude != NULL) && (value != NULL)) {
+    if ((value != NULL) && (observer_attitude != NULL) && (x != NULL)) {
         observed_by_column_input_t in;
         observed_by_column_output_t out;
 
@@ -197,7 +197,7 @@ WARPOS_GPS_NARROW warpos_gps_status_t warpos_gps_observed_by_column_jacobian(
 {
     warpos_gps_status_t status = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (observer_attitude != NULL) && (jacobian != NULL)) {
+    if ((jacobian != NULL) && (observer_attitude != NULL) && (x != NULL)) {
         observed_by_column_input_t in;
         observed_by_column_output_t out;
 
@@ -220,7 +220,7 @@ WARPOS_GPS_NARROW warpos_gps_status_t warpos_gps_observed_by_column_nz(
 {
     warpos_gps_status_t status = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (observer_attitude != NULL) && (value != NULL) && (jacobian_nz != NULL)) {
+    if ((jacobian_nz != NULL) && (value != NULL) && (observer_attitude != NULL) && (x != NULL)) {
         observed_by_column_input_t in;
         observed_by_column_output_t out;
 
@@ -321,8 +321,8 @@ warpos_gps_status_t warpos_gps_observed_by_column_blocks(
 {
     warpos_gps_status_t result = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (observer_attitude != NULL) && (value != NULL) && (jacobian_nz != NULL) &&
-        (status != NULL)) {
+    if ((status != NULL) && (jacobian_nz != NULL) && (value != NULL) &&
+        (observer_attitude != NULL) && (x != NULL)) {
         result = (epochs < 0) ? WARPOS_GPS_COUNT : WARPOS_GPS_OK;
         for (ptrdiff_t first = 0; first < epochs; first += WARPOS_GPS_OBSERVED_BY_COLUMN_LANES) {
             const ptrdiff_t rest = epochs - first;
@@ -373,8 +373,8 @@ warpos_gps_status_t warpos_gps_observed_by_column_batch(
 {
     warpos_gps_status_t result = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (observer_attitude != NULL) && (value != NULL) && (jacobian != NULL) &&
-        (status != NULL)) {
+    if ((status != NULL) && (jacobian != NULL) && (value != NULL) && (observer_attitude != NULL) &&
+        (x != NULL)) {
         observed_by_column_block_t block;
 
         result = (epochs < 0) ? WARPOS_GPS_COUNT : WARPOS_GPS_OK;
@@ -414,8 +414,8 @@ warpos_gps_status_t warpos_gps_observed_by_column_batch_nz(
 {
     warpos_gps_status_t result = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (observer_attitude != NULL) && (value != NULL) && (jacobian_nz != NULL) &&
-        (status != NULL)) {
+    if ((status != NULL) && (jacobian_nz != NULL) && (value != NULL) &&
+        (observer_attitude != NULL) && (x != NULL)) {
         observed_by_column_block_t block;
 
         result = (epochs < 0) ? WARPOS_GPS_COUNT : WARPOS_GPS_OK;

@@ -63,25 +63,25 @@ WARPOS_GPS_INLINE warpos_gps_flag_t retract_load_lane(
     outside |= take_centred(x[14 * stride], 1000000000.0, &in->trailing_7);
 
     /* leading */
-    outside |= take_centred(d[0], 1000000000.0, &in->leading_0_2);
-    outside |= take_centred(d[stride], 1000000000.0, &in->leading_1_2);
-    outside |= take_centred(d[2 * stride], 1000000000.0, &in->leading_2_2);
-    outside |= take_centred(d[3 * stride], 1000000000.0, &in->leading_3_2);
+    outside |= take_centred(d[0], 1000000000.0, &in->d_leading_0);
+    outside |= take_centred(d[stride], 1000000000.0, &in->d_leading_1);
+    outside |= take_centred(d[2 * stride], 1000000000.0, &in->d_leading_2);
+    outside |= take_centred(d[3 * stride], 1000000000.0, &in->d_leading_3);
 
     /* position [m, in f] */
-    outside |= take_centred(d[4 * stride], 1000000000.0, &in->position_x_2);
-    outside |= take_centred(d[5 * stride], 1000000000.0, &in->position_y_2);
-    outside |= take_centred(d[6 * stride], 1000000000.0, &in->position_z_2);
+    outside |= take_centred(d[4 * stride], 1000000000.0, &in->d_position_x);
+    outside |= take_centred(d[5 * stride], 1000000000.0, &in->d_position_y);
+    outside |= take_centred(d[6 * stride], 1000000000.0, &in->d_position_z);
 
     /* trailing */
-    outside |= take_centred(d[7 * stride], 1000000000.0, &in->trailing_0_2);
-    outside |= take_centred(d[8 * stride], 1000000000.0, &in->trailing_1_2);
-    outside |= take_centred(d[9 * stride], 1000000000.0, &in->trailing_2_2);
-    outside |= take_centred(d[10 * stride], 1000000000.0, &in->trailing_3_2);
-    outside |= take_centred(d[11 * stride], 1000000000.0, &in->trailing_4_2);
-    outside |= take_centred(d[12 * stride], 1000000000.0, &in->trailing_5_2);
-    outside |= take_centred(d[13 * stride], 1000000000.0, &in->trailing_6_2);
-    outside |= take_centred(d[14 * stride], 1000000000.0, &in->trailing_7_2);
+    outside |= take_centred(d[7 * stride], 1000000000.0, &in->d_trailing_0);
+    outside |= take_centred(d[8 * stride], 1000000000.0, &in->d_trailing_1);
+    outside |= take_centred(d[9 * stride], 1000000000.0, &in->d_trailing_2);
+    outside |= take_centred(d[10 * stride], 1000000000.0, &in->d_trailing_3);
+    outside |= take_centred(d[11 * stride], 1000000000.0, &in->d_trailing_4);
+    outside |= take_centred(d[12 * stride], 1000000000.0, &in->d_trailing_5);
+    outside |= take_centred(d[13 * stride], 1000000000.0, &in->d_trailing_6);
+    outside |= take_centred(d[14 * stride], 1000000000.0, &in->d_trailing_7);
 
     return (warpos_gps_flag_t)WARPOS_GPS_RANGE * outside;
 }
@@ -108,21 +108,21 @@ WARPOS_GPS_INLINE void retract_copy(
     in->trailing_5 = x[12 * stride];
     in->trailing_6 = x[13 * stride];
     in->trailing_7 = x[14 * stride];
-    in->leading_0_2 = d[0];
-    in->leading_1_2 = d[stride];
-    in->leading_2_2 = d[2 * stride];
-    in->leading_3_2 = d[3 * stride];
-    in->position_x_2 = d[4 * stride];
-    in->position_y_2 = d[5 * stride];
-    in->position_z_2 = d[6 * stride];
-    in->trailing_0_2 = d[7 * stride];
-    in->trailing_1_2 = d[8 * stride];
-    in->trailing_2_2 = d[9 * stride];
-    in->trailing_3_2 = d[10 * stride];
-    in->trailing_4_2 = d[11 * stride];
-    in->trailing_5_2 = d[12 * stride];
-    in->trailing_6_2 = d[13 * stride];
-    in->trailing_7_2 = d[14 * stride];
+    in->d_leading_0 = d[0];
+    in->d_leading_1 = d[stride];
+    in->d_leading_2 = d[2 * stride];
+    in->d_leading_3 = d[3 * stride];
+    in->d_position_x = d[4 * stride];
+    in->d_position_y = d[5 * stride];
+    in->d_position_z = d[6 * stride];
+    in->d_trailing_0 = d[7 * stride];
+    in->d_trailing_1 = d[8 * stride];
+    in->d_trailing_2 = d[9 * stride];
+    in->d_trailing_3 = d[10 * stride];
+    in->d_trailing_4 = d[11 * stride];
+    in->d_trailing_5 = d[12 * stride];
+    in->d_trailing_6 = d[13 * stride];
+    in->d_trailing_7 = d[14 * stride];
 }
 
 /* Store value in full, structural zeros included. */
@@ -155,7 +155,7 @@ WARPOS_GPS_NARROW warpos_gps_status_t warpos_gps_retract(
 {
     warpos_gps_status_t status = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL)) {
+    if ((value != NULL) && (d != NULL) && (x != NULL)) {
         retract_input_t in;
         retract_output_t out;
 
@@ -246,7 +246,7 @@ warpos_gps_status_t warpos_gps_retract_blocks(
 {
     warpos_gps_status_t result = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (d != NULL) && (x != NULL)) {
         result = (epochs < 0) ? WARPOS_GPS_COUNT : WARPOS_GPS_OK;
         for (ptrdiff_t first = 0; first < epochs; first += WARPOS_GPS_RETRACT_LANES) {
             const ptrdiff_t rest = epochs - first;
@@ -292,7 +292,7 @@ warpos_gps_status_t warpos_gps_retract_batch(
 {
     warpos_gps_status_t result = WARPOS_GPS_NULL;
 
-    if ((x != NULL) && (d != NULL) && (value != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value != NULL) && (d != NULL) && (x != NULL)) {
         retract_block_t block;
 
         result = (epochs < 0) ? WARPOS_GPS_COUNT : WARPOS_GPS_OK;

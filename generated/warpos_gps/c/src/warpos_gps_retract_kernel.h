@@ -28,21 +28,21 @@ typedef struct {
     warpos_gps_real_t trailing_5;
     warpos_gps_real_t trailing_6;
     warpos_gps_real_t trailing_7;
-    warpos_gps_real_t leading_0_2;
-    warpos_gps_real_t leading_1_2;
-    warpos_gps_real_t leading_2_2;
-    warpos_gps_real_t leading_3_2;
-    warpos_gps_real_t position_x_2;  /* m, in f */
-    warpos_gps_real_t position_y_2;  /* m, in f */
-    warpos_gps_real_t position_z_2;  /* m, in f */
-    warpos_gps_real_t trailing_0_2;
-    warpos_gps_real_t trailing_1_2;
-    warpos_gps_real_t trailing_2_2;
-    warpos_gps_real_t trailing_3_2;
-    warpos_gps_real_t trailing_4_2;
-    warpos_gps_real_t trailing_5_2;
-    warpos_gps_real_t trailing_6_2;
-    warpos_gps_real_t trailing_7_2;
+    warpos_gps_real_t d_leading_0;
+    warpos_gps_real_t d_leading_1;
+    warpos_gps_real_t d_leading_2;
+    warpos_gps_real_t d_leading_3;
+    warpos_gps_real_t d_position_x;  /* m, in f */
+    warpos_gps_real_t d_position_y;  /* m, in f */
+    warpos_gps_real_t d_position_z;  /* m, in f */
+    warpos_gps_real_t d_trailing_0;
+    warpos_gps_real_t d_trailing_1;
+    warpos_gps_real_t d_trailing_2;
+    warpos_gps_real_t d_trailing_3;
+    warpos_gps_real_t d_trailing_4;
+    warpos_gps_real_t d_trailing_5;
+    warpos_gps_real_t d_trailing_6;
+    warpos_gps_real_t d_trailing_7;
 } retract_input_t;
 
 /** Structural non-zeros of the results of warpos_gps_retract. */
@@ -79,25 +79,25 @@ WARPOS_GPS_INLINE warpos_gps_flag_t retract_load(
     in->trailing_7 = x[14];
 
     /* leading */
-    in->leading_0_2 = d[0];
-    in->leading_1_2 = d[1];
-    in->leading_2_2 = d[2];
-    in->leading_3_2 = d[3];
+    in->d_leading_0 = d[0];
+    in->d_leading_1 = d[1];
+    in->d_leading_2 = d[2];
+    in->d_leading_3 = d[3];
 
     /* position [m, in f] */
-    in->position_x_2 = d[4];
-    in->position_y_2 = d[5];
-    in->position_z_2 = d[6];
+    in->d_position_x = d[4];
+    in->d_position_y = d[5];
+    in->d_position_z = d[6];
 
     /* trailing */
-    in->trailing_0_2 = d[7];
-    in->trailing_1_2 = d[8];
-    in->trailing_2_2 = d[9];
-    in->trailing_3_2 = d[10];
-    in->trailing_4_2 = d[11];
-    in->trailing_5_2 = d[12];
-    in->trailing_6_2 = d[13];
-    in->trailing_7_2 = d[14];
+    in->d_trailing_0 = d[7];
+    in->d_trailing_1 = d[8];
+    in->d_trailing_2 = d[9];
+    in->d_trailing_3 = d[10];
+    in->d_trailing_4 = d[11];
+    in->d_trailing_5 = d[12];
+    in->d_trailing_6 = d[13];
+    in->d_trailing_7 = d[14];
 
     bool inside =
         are_four_centred(in->leading_0, in->leading_1, in->leading_2, in->leading_3, 1000000000.0);
@@ -106,13 +106,13 @@ WARPOS_GPS_INLINE warpos_gps_flag_t retract_load(
     inside = inside && are_four_centred(in->trailing_0, in->trailing_1, in->trailing_2,
         in->trailing_3, 1000000000.0) && are_four_centred(in->trailing_4, in->trailing_5,
         in->trailing_6, in->trailing_7, 1000000000.0);
-    inside = inside && are_four_centred(in->leading_0_2, in->leading_1_2, in->leading_2_2,
-        in->leading_3_2, 1000000000.0);
+    inside = inside && are_four_centred(in->d_leading_0, in->d_leading_1, in->d_leading_2,
+        in->d_leading_3, 1000000000.0);
     inside = inside &&
-        are_three_centred(in->position_x_2, in->position_y_2, in->position_z_2, 1000000000.0);
-    inside = inside && are_four_centred(in->trailing_0_2, in->trailing_1_2, in->trailing_2_2,
-        in->trailing_3_2, 1000000000.0) && are_four_centred(in->trailing_4_2, in->trailing_5_2,
-        in->trailing_6_2, in->trailing_7_2, 1000000000.0);
+        are_three_centred(in->d_position_x, in->d_position_y, in->d_position_z, 1000000000.0);
+    inside = inside && are_four_centred(in->d_trailing_0, in->d_trailing_1, in->d_trailing_2,
+        in->d_trailing_3, 1000000000.0) && are_four_centred(in->d_trailing_4, in->d_trailing_5,
+        in->d_trailing_6, in->d_trailing_7, 1000000000.0);
 
     return (!inside) ? (warpos_gps_flag_t)WARPOS_GPS_RANGE : (warpos_gps_flag_t)WARPOS_GPS_OK;
 }
@@ -121,21 +121,21 @@ WARPOS_GPS_INLINE warpos_gps_flag_t retract_load(
 WARPOS_GPS_INLINE warpos_gps_flag_t retract_kernel(const retract_input_t *in, retract_output_t *out)
 {
 
-    out->value[0] = in->leading_0_2 + in->leading_0;  /* leading 0 */
-    out->value[1] = in->leading_1_2 + in->leading_1;  /* leading 1 */
-    out->value[2] = in->leading_2_2 + in->leading_2;  /* leading 2 */
-    out->value[3] = in->leading_3_2 + in->leading_3;  /* leading 3 */
-    out->value[4] = in->position_x_2 + in->position_x;  /* position x */
-    out->value[5] = in->position_y_2 + in->position_y;  /* position y */
-    out->value[6] = in->position_z_2 + in->position_z;  /* position z */
-    out->value[7] = in->trailing_0_2 + in->trailing_0;  /* trailing 0 */
-    out->value[8] = in->trailing_1_2 + in->trailing_1;  /* trailing 1 */
-    out->value[9] = in->trailing_2_2 + in->trailing_2;  /* trailing 2 */
-    out->value[10] = in->trailing_3_2 + in->trailing_3;  /* trailing 3 */
-    out->value[11] = in->trailing_4_2 + in->trailing_4;  /* trailing 4 */
-    out->value[12] = in->trailing_5_2 + in->trailing_5;  /* trailing 5 */
-    out->value[13] = in->trailing_6_2 + in->trailing_6;  /* trailing 6 */
-    out->value[14] = in->trailing_7_2 + in->trailing_7;  /* trailing 7 */
+    out->value[0] = in->d_leading_0 + in->leading_0;  /* leading 0 */
+    out->value[1] = in->d_leading_1 + in->leading_1;  /* leading 1 */
+    out->value[2] = in->d_leading_2 + in->leading_2;  /* leading 2 */
+    out->value[3] = in->d_leading_3 + in->leading_3;  /* leading 3 */
+    out->value[4] = in->d_position_x + in->position_x;  /* position x */
+    out->value[5] = in->d_position_y + in->position_y;  /* position y */
+    out->value[6] = in->d_position_z + in->position_z;  /* position z */
+    out->value[7] = in->d_trailing_0 + in->trailing_0;  /* trailing 0 */
+    out->value[8] = in->d_trailing_1 + in->trailing_1;  /* trailing 1 */
+    out->value[9] = in->d_trailing_2 + in->trailing_2;  /* trailing 2 */
+    out->value[10] = in->d_trailing_3 + in->trailing_3;  /* trailing 3 */
+    out->value[11] = in->d_trailing_4 + in->trailing_4;  /* trailing 4 */
+    out->value[12] = in->d_trailing_5 + in->trailing_5;  /* trailing 5 */
+    out->value[13] = in->d_trailing_6 + in->trailing_6;  /* trailing 6 */
+    out->value[14] = in->d_trailing_7 + in->trailing_7;  /* trailing 7 */
 
     return (warpos_gps_flag_t)WARPOS_GPS_OK;
 }

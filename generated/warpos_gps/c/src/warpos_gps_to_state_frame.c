@@ -176,9 +176,9 @@ WARPOS_GPS_NARROW warpos_gps_status_t warpos_gps_to_state_frame(
 {
     warpos_gps_status_t status = WARPOS_GPS_NULL;
 
-    if ((observer_attitude != NULL) && (receiver_position != NULL) && (origin_offset != NULL) &&
-        (attitude != NULL) && (lever_arm != NULL) && (covariance_2 != NULL) && (value != NULL) &&
-        (value_covariance != NULL)) {
+    if ((value_covariance != NULL) && (value != NULL) && (covariance_2 != NULL) &&
+        (lever_arm != NULL) && (attitude != NULL) && (origin_offset != NULL) &&
+        (receiver_position != NULL) && (observer_attitude != NULL)) {
         to_state_frame_input_t in;
         to_state_frame_output_t out;
 
@@ -300,9 +300,9 @@ warpos_gps_status_t warpos_gps_to_state_frame_blocks(
 {
     warpos_gps_status_t result = WARPOS_GPS_NULL;
 
-    if ((observer_attitude != NULL) && (receiver_position != NULL) && (origin_offset != NULL) &&
-        (attitude != NULL) && (lever_arm != NULL) && (covariance_2 != NULL) && (value != NULL) &&
-        (value_covariance != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value_covariance != NULL) && (value != NULL) &&
+        (covariance_2 != NULL) && (lever_arm != NULL) && (attitude != NULL) &&
+        (origin_offset != NULL) && (receiver_position != NULL) && (observer_attitude != NULL)) {
         result = (epochs < 0) ? WARPOS_GPS_COUNT : WARPOS_GPS_OK;
         for (ptrdiff_t first = 0; first < epochs; first += WARPOS_GPS_TO_STATE_FRAME_LANES) {
             const ptrdiff_t rest = epochs - first;
@@ -383,9 +383,9 @@ warpos_gps_status_t warpos_gps_to_state_frame_batch(
 {
     warpos_gps_status_t result = WARPOS_GPS_NULL;
 
-    if ((observer_attitude != NULL) && (receiver_position != NULL) && (origin_offset != NULL) &&
-        (attitude != NULL) && (lever_arm != NULL) && (covariance_2 != NULL) && (value != NULL) &&
-        (value_covariance != NULL) && (status != NULL)) {
+    if ((status != NULL) && (value_covariance != NULL) && (value != NULL) &&
+        (covariance_2 != NULL) && (lever_arm != NULL) && (attitude != NULL) &&
+        (origin_offset != NULL) && (receiver_position != NULL) && (observer_attitude != NULL)) {
         to_state_frame_block_t block;
 
         result = (epochs < 0) ? WARPOS_GPS_COUNT : WARPOS_GPS_OK;

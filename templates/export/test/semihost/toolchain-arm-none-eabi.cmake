@@ -1,4 +1,5 @@
-# CMake toolchain for a bare Cortex-M: cmake --toolchain test/semihost/toolchain-arm-none-eabi.cmake
+# CMake toolchain for a bare Cortex-M, with the emulator in front of every test:
+# cmake -B build/m4 -S . -DCMAKE_TOOLCHAIN_FILE=$PWD/test/semihost/toolchain-arm-none-eabi.cmake
 # -DSEMIHOST_CPU=cortex-m7 chooses the other processor.
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR arm)
