@@ -27,7 +27,7 @@ FLAGS = {
     "tcc": ("CFLAGS=-std=c99", "WARNINGS=-Wall -Werror"),
     "g++": ("CFLAGS=-std=c++17 -O2 -ffp-contract=off",),
 }
-CLANGS = ("clang-14", "clang-19")
+CLANGS = ("clang", "clang-19")
 ON_TARGET = ("check-m4", "build/m4")
 """What in a command says that it is for the emulated processor."""
 
