@@ -124,7 +124,7 @@ BROKEN = {
         "range_squared_raw",
     ),
     "count above the maximum": (VALUE, RANGE, "(n <= ROVER_RANGE_MAX_ITEMS)", "(n <= 33)"),
-    "pointer not looked at": (VALUE, RANGE, "(x != NULL) && ", ""),
+    "pointer not looked at": (VALUE, RANGE, " && (x != NULL)", ""),
     "output written too early": (
         FULL, RANGE, "status = ROVER_COUNT;", "status = ROVER_COUNT; value[0] = 0.0;",
     ),

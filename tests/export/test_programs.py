@@ -40,7 +40,7 @@ def test_passes(runner: Runner, tmp_path: Path) -> None:
 def test_a_wrong_sign_is_told(runner: Runner, tmp_path: Path) -> None:
     folder = copy_of("reference_relative", "float", tmp_path)
     kernel = folder / "src/reference_relative_f32_retract_kernel.h"
-    replace_in(kernel, "in->clock_bias + in->clock_bias_2", "in->clock_bias - in->clock_bias_2")
+    replace_in(kernel, "in->clock_bias + in->d_clock_bias", "in->clock_bias - in->d_clock_bias")
     verdict, said = run(runner, folder)
     assert verdict is Verdict.FAILED and "fail" in said
 
