@@ -74,17 +74,17 @@ def verdict(target: Target, *, flagged: bool, judged: bool, skewed: bool) -> str
         judged: True when ``inside`` says that elements are inside.
         skewed: True when ``skewed`` is 1 for a norm that is off, else 0.
     """
-    ok, outside, norm = map(target.flag, (ir.Status.OK, ir.Status.RANGE, ir.Status.QNORM))
+    ok, range_, norm = map(target.flag, (ir.Status.OK, ir.Status.RANGE, ir.Status.QNORM))
     if flagged and not judged:
         # By arithmetic: to select by what was selected becomes a branch around the loads that come
         # last, and compilers then do not run neighbours side by side.
-        text = f"{outside} * outside"
+        text = f"{range_} * outside"
         return f"({text}) + ({norm} * (skewed & ~outside))" if skewed else text
     text = f"(skewed != 0U) ? {norm} : {ok}" if skewed else ok
     if not judged:
         return text
     fault = "((outside != 0U) || !inside)" if flagged else "(!inside)"
-    return f"{fault} ? {outside} : {f'({text})' if skewed else text}"
+    return f"{fault} ? {range_} : {f'({text})' if skewed else text}"
 
 
 def judged_loads(function: ir.Function) -> set[ir.Load]:
