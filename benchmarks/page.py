@@ -175,7 +175,8 @@ def python_calls(figures: Figures) -> Iterator[str]:
     yield "## Calls from Python (ns for one evaluation)"
     yield ""
     chosen = ("gps", "pr8", "imu4")
-    names = sorted({n for m in chosen for n in figures[m] if n.startswith(("python_", "batch_"))})
+    kinds = ("python_", "batch_", "small_batch_")
+    names = sorted({n for m in chosen for n in figures[m] if n.startswith(kinds)})
     yield from table(
         ["way", *chosen],
         [

@@ -1,7 +1,7 @@
 """Calls from Python: one epoch at a time, and many epochs in one call.
 
 Everything runs in this process, interleaved, over the same inputs. ``python_*`` is one call for
-one epoch; ``batch_*`` is one call for many, reported per epoch.
+one epoch; ``batch_*`` and ``small_batch_*`` are one call for many or for some, per epoch.
 """
 
 from __future__ import annotations
@@ -28,7 +28,8 @@ from symnav import pipeline
 Array = npt.NDArray[np.float64]
 Call = Callable[[], Any]
 
-EPOCHS = 1024
+BATCHES = {"batch": 1024, "small_batch": 128}
+"""Epochs in one call. What 128 of gps read and write fits the first-level cache."""
 REPETITIONS = 13
 BURST = 2e-3
 
@@ -45,14 +46,15 @@ def measure(problem: Problem, folder: Path, inputs: Array, *, native: bool) -> d
     folder.mkdir(parents=True, exist_ok=True)
     package = built(problem, folder, native=native)
     bare = built(problem, folder / "bare", native=native, guarded=False)
-    records = np.tile(inputs, (EPOCHS // len(inputs), 1))
     ways: dict[str, tuple[Call, int]] = {}
     for name, call in one_epoch(problem, package, inputs[0], folder):
         ways[f"python_{name}"] = (call, 1)
-    for name, call in many_epochs(problem, package, records, folder):
-        ways[f"batch_{name}"] = (call, EPOCHS)
-    for name, call in compiled_batches(problem, bare, records):
-        ways[f"batch_{name}_unguarded"] = (call, EPOCHS)
+    for size, epochs in BATCHES.items():
+        records = np.tile(inputs, (epochs // len(inputs), 1))
+        for name, call in many_epochs(problem, package, records, folder):
+            ways[f"{size}_{name}"] = (call, epochs)
+        for name, call in compiled_batches(problem, bare, records):
+            ways[f"{size}_{name}_unguarded"] = (call, epochs)
     figures = timed(ways)
     if problem.name == "gps":
         figures |= streamed(problem, package, inputs)
