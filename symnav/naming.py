@@ -13,14 +13,15 @@ from collections.abc import Iterable, Mapping
 from enum import StrEnum
 
 
-def _words(text: str) -> frozenset[str]:
+def words(text: str) -> frozenset[str]:
+    """The words of a text."""
     return frozenset(text.split())
 
 
 #: C99 promises 31 significant characters; the rest of a symbol is the prefix and the function.
 LONGEST = 31
 
-C_KEYWORDS = _words(
+C_KEYWORDS = words(
     """
     auto break case char const continue default do double else enum extern float for goto if
     inline int long register restrict return short signed sizeof static struct switch typedef
@@ -29,7 +30,7 @@ C_KEYWORDS = _words(
     """
 )
 
-CPP_KEYWORDS = _words(
+CPP_KEYWORDS = words(
     """
     and and_eq bitand bitor catch char16_t char32_t char8_t class co_await co_return co_yield compl
     concept const_cast consteval constinit decltype delete dynamic_cast explicit export friend
@@ -41,7 +42,7 @@ CPP_KEYWORDS = _words(
 
 PYTHON_KEYWORDS = frozenset(keyword.kwlist)
 
-_MATH_FUNCTIONS = _words(
+_MATH_FUNCTIONS = words(
     """
     acos acosh asin asinh atan atan2 atanh cbrt ceil copysign cos cosh erf erfc exp exp2 expm1 fabs
     fdim floor fma fmax fmin fmod frexp hypot ilogb ldexp lgamma llrint llround log log10 log1p
@@ -54,7 +55,7 @@ _MATH_FUNCTIONS = _words(
 #: Functions and macros of math.h, with the historical ones that compilers still declare.
 MATH_NAMES = frozenset(
     f"{name}{suffix}" for name in _MATH_FUNCTIONS for suffix in ("", "f", "l")
-) | _words(
+) | words(
     """
     signgam fpclassify isfinite isnormal signbit isgreater isgreaterequal isless islessequal
     islessgreater isunordered HUGE_VAL HUGE_VALF HUGE_VALL INFINITY NAN float_t double_t
@@ -65,7 +66,7 @@ MATH_NAMES = frozenset(
 )
 
 #: Macros and names that headers or compilers put in every C file.
-C_MACROS = _words("NULL EOF errno assert offsetof complex imaginary I linux unix noreturn abs div")
+C_MACROS = words("NULL EOF errno assert offsetof complex imaginary I linux unix noreturn abs div")
 
 _WIDTHS = ("8", "16", "32", "64", "_LEAST8", "_LEAST16", "_LEAST32", "_LEAST64", "_FAST8",
            "_FAST16", "_FAST32", "_FAST64", "MAX", "PTR")  # fmt: skip
@@ -80,7 +81,7 @@ STANDARD_NAMES = frozenset(
         f"{sign}int{width}_t".lower(),
         *(f"{sign}INT{width}_{end}".upper() for end in ("MAX", "MIN", "WIDTH")),
     )
-) | _words(
+) | words(
     """
     size_t ptrdiff_t max_align_t SIZE_MAX PTRDIFF_MAX PTRDIFF_MIN WCHAR_MAX WCHAR_MIN WINT_MAX
     WINT_MIN SIG_ATOMIC_MAX SIG_ATOMIC_MIN FLT_RADIX FLT_ROUNDS FLT_EVAL_METHOD DECIMAL_DIG
@@ -95,18 +96,18 @@ STANDARD_NAMES = frozenset(
 )  # fmt: skip
 
 #: Helpers and types that the files of the generated C share; likewise.
-HELPER_NAMES = _words(
+HELPER_NAMES = words(
     """
     are_four_centred are_four_within are_three_centred are_three_within are_two_centred
-    are_two_within cosine_of first_failure flag_t indices_to_lanes is_beyond is_centred is_equal
-    is_index_outside is_outside is_skewed_matrix is_skewed_quaternion is_within lanes_to_rows
-    larger_of near_cosine near_sine nearest_whole rows_to_lanes sine_of smaller_of take_centred
-    take_index take_value turn_of
+    are_two_within cosine_of fetch_ahead first_failure flag_t indices_to_lanes is_beyond is_centred
+    is_equal is_index_outside is_outside is_skewed_matrix is_skewed_quaternion is_within
+    lanes_to_rows larger_of near_cosine near_sine nearest_whole rows_to_lanes sine_of smaller_of
+    take_centred take_index take_value turn_of
     """
 )
 
 #: Arguments and outputs of generated functions.
-ARGUMENT_NAMES = _words(
+ARGUMENT_NAMES = words(
     """
     x d y n out value jacobian residual status item_status epochs nonzeros
     guards self np xp
@@ -114,7 +115,7 @@ ARGUMENT_NAMES = _words(
 )
 
 #: Attributes of the generated ``State``.
-STATE_ATTRIBUTES = _words(
+STATE_ATTRIBUTES = words(
     """
     size error_size names error units frames labels pack unpack retract local digest initial count
     index slices conventions
@@ -122,7 +123,7 @@ STATE_ATTRIBUTES = _words(
 )
 
 #: Modules, classes, files and enumerations of a generated package.
-FUNCTION_NAMES = _words(
+FUNCTION_NAMES = words(
     """
     State StateBlocks Blocks BACKEND GuardError Status set_threads numpy native native_f32 casadi c
     retract local types check state status real version manifest status_t real_t
@@ -130,7 +131,7 @@ FUNCTION_NAMES = _words(
 )
 
 #: What the Python files and stubs of a package themselves call by name, beside functions.
-PYTHON_NAMES = _words(
+PYTHON_NAMES = words(
     """
     len int float str slice tuple Any ArrayLike Callable Mapping NamedTuple NDArray Protocol
     Sequence TypeAlias np
@@ -138,11 +139,11 @@ PYTHON_NAMES = _words(
 )
 
 #: What CasADi's generator adds to the C of every package, beside numbered helpers.
-CASADI_NAMES = _words("sq sign casadi_version casadi_int_size casadi_real_size")
+CASADI_NAMES = words("sq sign casadi_version casadi_int_size casadi_real_size")
 _CASADI_NUMBERED = re.compile(r"[cfs]\d+", re.IGNORECASE)
 
 #: Packages whose enumerators and macros are those of the system's or Python's headers: R_OK ...
-_SYSTEM_PACKAGES = _words("f r w x")
+_SYSTEM_PACKAGES = words("f r w x")
 _SYSTEM_PREFIXES = ("have_", "py_", "pyctype_", "pymacconfig_")
 
 #: Suffixes of the entry points made from one function, the last ones by CasADi's generator.

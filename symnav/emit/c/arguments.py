@@ -8,28 +8,15 @@ from typing import TypeVar
 
 from symnav import ir
 from symnav.emit.c.names import Names
+from symnav.naming import words
 
 # Parameters and locals of the entry points and of the functions they call.
-LOCALS = frozenset(
-    (
-        *("base", "block", "codes", "common", "count", "covariance", "dense", "epoch", "epochs"),
-        *(
-            "evaluated",
-            "failed",
-            "failure",
-            "first",
-            "i",
-            "in",
-            "inside",
-            "item",
-            "item_status",
-            "k",
-            "lane",
-            "loaded",
-        ),
-        *("matrix", "minus", "n", "nonzeros", "out", "outcome", "outside", "own", "reference"),
-        *("rest", "result", "row", "shared", "sigma", "skewed", "status", "stride"),
-    )
+LOCALS = words(
+    """
+    base behind block codes common count covariance dense epoch epochs evaluated failed failure
+    first following i in inside item item_status k lane loaded matrix minus n next nonzeros out
+    outcome outside own reference rest result row shared sigma skewed status stride
+    """
 )
 
 Holder = TypeVar("Holder", bound=ir.Step | ir.Entry)

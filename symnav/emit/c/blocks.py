@@ -16,9 +16,11 @@ from dataclasses import dataclass
 
 from symnav import ir
 from symnav.emit.c import comments
+from symnav.emit.c.ahead import fetches
 from symnav.emit.c.entries import EntryPoint, has_nonzeros
 from symnav.emit.c.inputs import INPUT_POINTER
 from symnav.emit.c.interface import EPOCHS, Interface
+from symnav.emit.c.items import scaled
 from symnav.emit.c.kernel import OUTPUT_POINTER, Kernel
 from symnav.emit.c.pieces import Field, Parameter, Routine, Struct, call, head
 from symnav.emit.c.store import Store, Use, is_jacobian, stores_of
@@ -306,15 +308,24 @@ class Blocks:
             for first, length in runs:
                 source = f"&{name}[{first}]" if first else name
                 place = f"&block->{name}[{first} * {self.macro}]" if first else f"block->{name}"
-                given = ["count", source, f"{name}_step", str(length), self.macro, place]
+                rest = [] if argument.integer else ["rest"]
+                given = ["count", *rest, source, f"{name}_step", str(length), self.macro, place]
                 lines += self._statement(call(helper, given), depth=1)
         block = f"{self._struct().name} *{kernel.target.macro}_RESTRICT block"
         return {
             "head": head(
-                "static void", f"{kernel.local}_gather", ["int32_t count", *declarations, block]
+                "static void",
+                f"{kernel.local}_gather",
+                ["int32_t count", *self._rest("ptrdiff_t "), *declarations, block],
             ),
             "lines": lines,
         }
+
+    def _rest(self, kind: str = "") -> list[str]:
+        """How many epochs there are, of whom those behind the block are asked for."""
+        arguments = self.kernel.function.arguments
+        real = any(self.kernel.inputs.runs(a) for a in arguments if not a.integer)
+        return [f"{kind}rest"] if real else []
 
     def _batch(self, entry: EntryPoint, *, nonzeros: bool) -> dict[str, object]:
         kernel = self.kernel
@@ -326,17 +337,22 @@ class Blocks:
         inside += [f"block.{self._name(output)}" for output in self._outputs]
         status = kernel.target.status
         stores = stores_of(kernel, kernel.function.outputs, Use.STACKED)
-        rows, fills = [], []
+        rows, fills, written = [], [], []
         for store in stores:
-            if not is_jacobian(store.output) or (nonzeros and store.count):
+            output = store.output
+            if not is_jacobian(output) or (nonzeros and store.count):
                 rows += self._row_store(store)
             elif not nonzeros:
                 fills += self._fill(store)
+                written.append((output.name, store.layout.size))
         return {
             "head": entry.prototype(status),
             "pointers": comments.code(f"if ({entry.pointers}) {{"),
+            "ahead": fetches(
+                ((name, str(size), scaled(size, "next")) for name, size in written), depth=5
+            ),
             "gather": self._statement(
-                call(f"{kernel.local}_gather", ["count", *passed, "&block"]), depth=3
+                call(f"{kernel.local}_gather", ["count", *self._rest(), *passed, "&block"]), depth=3
             ),
             "call": self._statement(
                 call(f"{kernel.local}_block", ["count", *inside, "&status[first]"]),
@@ -350,7 +366,7 @@ class Blocks:
     def _row_store(self, store: Store) -> list[str]:
         name, size = self._name(store.output), block_size(store.output)
         place = f"&{name}[first]" if size == 1 else f"&{name}[{size} * first]"
-        given = ["count", "&status[first]", f"block.{name}", str(size), self.macro, place]
+        given = ["count", "rest", "&status[first]", f"block.{name}", str(size), self.macro, place]
         return self._statement(call("lanes_to_rows", given), depth=3)
 
     def _fill(self, store: Store) -> list[str]:

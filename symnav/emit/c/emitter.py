@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 
 from symnav import errors, ir
+from symnav.emit.c.ahead import FETCH_AHEAD
 from symnav.emit.c.arguments import with_free_names
 from symnav.emit.c.blocks import Blocks
 from symnav.emit.c.border import Border
@@ -45,8 +46,9 @@ _HELPERS: Mapping[str, tuple[str, ...]] = {
     "is_skewed_matrix": ("is_beyond",),
     "smaller_of": (),
     "larger_of": (),
-    "rows_to_lanes": (),
-    "lanes_to_rows": (),
+    "fetch_ahead": (),
+    "rows_to_lanes": ("fetch_ahead",),
+    "lanes_to_rows": ("fetch_ahead",),
     "indices_to_lanes": (),
 }
 
@@ -161,6 +163,7 @@ def _check_header(module: ir.Module, target: Target, kernels: Sequence[Kernel]) 
     wanted |= set().union(*(one.helpers() for one in border))
     wanted |= set().union(*(ItemLoops(kernel).helpers() for kernel in kernels if kernel.mapped))
     if module.batches:
+        wanted.add(FETCH_AHEAD)
         wanted.update(*(Blocks(kernel).helpers() for kernel in kernels if not kernel.mapped))
     if any(
         kernel.function.single_difference and kernel.function.checks_domain for kernel in kernels

@@ -13,6 +13,7 @@ from math import prod
 
 from symnav import ir
 from symnav.emit.c import comments
+from symnav.emit.c.ahead import argument_rows, fetches
 from symnav.emit.c.columns import Columns, column_name, column_size
 from symnav.emit.c.entries import EntryPoint, has_nonzeros, variants
 from symnav.emit.c.inputs import INPUT_POINTER
@@ -286,12 +287,12 @@ class Mapped(ItemLoops):
         """The loops over epochs: full rows, and non-zeros in columns as long as there are items."""
         local, symbol = self.kernel.local, self.kernel.symbol
         outputs = self.kernel.function.outputs
-        rows = [(output.name, output, scaled(prod(output.shape), "epoch")) for output in outputs]
+        rows = [(output.name, output, prod(output.shape)) for output in outputs]
         inner = f"{local}_rows{'_by_row' if by_row else ''}"
         batches = [self._batch(entries[f"{symbol}_batch"], inner, [], rows)]
         if has_nonzeros(self.kernel.function):
             columns = [
-                (column_name(output), output, scaled(column_size(output), "epoch"))
+                (column_name(output), output, column_size(output))
                 for output in outputs
                 if output.entries or not is_jacobian(output)
             ]
@@ -305,22 +306,36 @@ class Mapped(ItemLoops):
         entry: EntryPoint,
         inner: str,
         first: Sequence[str],
-        outputs: Sequence[tuple[str, ir.Output, str]],
+        outputs: Sequence[tuple[str, ir.Output, int]],
         *,
         wide: bool = False,
     ) -> dict[str, object]:
+        """One loop over epochs; rows are asked for ahead, columns are quick to come anyhow."""
         kernel = self.kernel
         arguments: list[str] = []
         for argument in kernel.function.arguments:
             arguments.append(f"&{argument.name}[epoch * {argument.name}_step]")
             arguments += ["n"] if len(arguments) == 1 else []
-        for name, output, count in outputs:
-            place = f"({count}) * n" if "*" in count else f"{count} * n"
-            arguments.append(f"&{name}[{place if output.item else count}]")
+        arguments += [f"&{name}[{_row(output, size, 'epoch')}]" for name, output, size in outputs]
         text = call(inner, [*first, *arguments, "&item_status[epoch * n]"])
+        written = [
+            (name, scaled(size, "n") if output.item else str(size), _row(output, size, "next"))
+            for name, output, size in outputs
+        ]
         clones = f"{kernel.target.macro}_WIDE " if wide else ""
         return {
             "head": entry.prototype(f"{clones}{kernel.target.status}"),
             "pointers": comments.code(f"if ({entry.pointers}) {{"),
+            "ahead": []
+            if wide
+            else fetches([*argument_rows(kernel.function.arguments, "next"), *written], depth=5),
             "call": comments.code(f"const {kernel.target.status} outcome = {text};", depth=4),
         }
+
+
+def _row(output: ir.Output, size: int, epoch: str) -> str:
+    """Where an epoch begins in an output, which has ``size`` numbers for each item or epoch."""
+    count = scaled(size, epoch)
+    if not output.item:
+        return count
+    return f"({count}) * n" if "*" in count else f"{count} * n"

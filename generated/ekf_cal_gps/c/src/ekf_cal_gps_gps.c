@@ -421,18 +421,19 @@ typedef struct {
 /* Lay rows of epochs side by side. */
 static void gps_gather(
     int32_t count,
+    ptrdiff_t rest,
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT],
     ptrdiff_t x_step,
     const ekf_cal_gps_real_t measured[EKF_CAL_GPS_RESTRICT],
     ptrdiff_t measured_step,
     gps_block_t *EKF_CAL_GPS_RESTRICT block)
 {
-    rows_to_lanes(count, x, x_step, 3, EKF_CAL_GPS_GPS_LANES, block->x);
-    rows_to_lanes(count, &x[9], x_step, 4, EKF_CAL_GPS_GPS_LANES,
+    rows_to_lanes(count, rest, x, x_step, 3, EKF_CAL_GPS_GPS_LANES, block->x);
+    rows_to_lanes(count, rest, &x[9], x_step, 4, EKF_CAL_GPS_GPS_LANES,
         &block->x[9 * EKF_CAL_GPS_GPS_LANES]);
-    rows_to_lanes(count, &x[19], x_step, 3, EKF_CAL_GPS_GPS_LANES,
+    rows_to_lanes(count, rest, &x[19], x_step, 3, EKF_CAL_GPS_GPS_LANES,
         &block->x[19 * EKF_CAL_GPS_GPS_LANES]);
-    rows_to_lanes(count, measured, measured_step, 3, EKF_CAL_GPS_GPS_LANES, block->measured);
+    rows_to_lanes(count, rest, measured, measured_step, 3, EKF_CAL_GPS_GPS_LANES, block->measured);
 }
 
 ekf_cal_gps_status_t ekf_cal_gps_gps_batch(
@@ -458,17 +459,22 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_batch(
             const int32_t count = (rest < EKF_CAL_GPS_GPS_LANES) ? (int32_t)rest :
                 EKF_CAL_GPS_GPS_LANES;
 
-            gps_gather(count, &x[first * x_step], x_step, &measured[first * measured_step],
+            gps_gather(count, rest, &x[first * x_step], x_step, &measured[first * measured_step],
                 measured_step, &block);
             const ekf_cal_gps_status_t outcome = gps_block(count, block.x, block.measured,
                 block.value, block.residual, block.jacobian_nz, &status[first]);
 
             result = (outcome == EKF_CAL_GPS_OK) ? result : outcome;
-            lanes_to_rows(count, &status[first], block.value, 3, EKF_CAL_GPS_GPS_LANES,
+            lanes_to_rows(count, rest, &status[first], block.value, 3, EKF_CAL_GPS_GPS_LANES,
                 &value[3 * first]);
-            lanes_to_rows(count, &status[first], block.residual, 3, EKF_CAL_GPS_GPS_LANES,
+            lanes_to_rows(count, rest, &status[first], block.residual, 3, EKF_CAL_GPS_GPS_LANES,
                 &residual[3 * first]);
             for (int32_t lane = 0; lane < count; ++lane) {
+                const ptrdiff_t next = first + EKF_CAL_GPS_GPS_LANES + lane;
+
+                if (next < epochs) {
+                    fetch_ahead(63, &jacobian[63 * next]);
+                }
                 if (status[first + lane] == (uint8_t)EKF_CAL_GPS_OK) {
                     gps_fill_jacobian(&block.jacobian_nz[lane], EKF_CAL_GPS_GPS_LANES,
                         &jacobian[63 * (first + lane)]);
@@ -502,17 +508,17 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_batch_nz(
             const int32_t count = (rest < EKF_CAL_GPS_GPS_LANES) ? (int32_t)rest :
                 EKF_CAL_GPS_GPS_LANES;
 
-            gps_gather(count, &x[first * x_step], x_step, &measured[first * measured_step],
+            gps_gather(count, rest, &x[first * x_step], x_step, &measured[first * measured_step],
                 measured_step, &block);
             const ekf_cal_gps_status_t outcome = gps_block(count, block.x, block.measured,
                 block.value, block.residual, block.jacobian_nz, &status[first]);
 
             result = (outcome == EKF_CAL_GPS_OK) ? result : outcome;
-            lanes_to_rows(count, &status[first], block.value, 3, EKF_CAL_GPS_GPS_LANES,
+            lanes_to_rows(count, rest, &status[first], block.value, 3, EKF_CAL_GPS_GPS_LANES,
                 &value[3 * first]);
-            lanes_to_rows(count, &status[first], block.residual, 3, EKF_CAL_GPS_GPS_LANES,
+            lanes_to_rows(count, rest, &status[first], block.residual, 3, EKF_CAL_GPS_GPS_LANES,
                 &residual[3 * first]);
-            lanes_to_rows(count, &status[first], block.jacobian_nz, 21, EKF_CAL_GPS_GPS_LANES,
+            lanes_to_rows(count, rest, &status[first], block.jacobian_nz, 21, EKF_CAL_GPS_GPS_LANES,
                 &jacobian_nz[21 * first]);
         }
     }

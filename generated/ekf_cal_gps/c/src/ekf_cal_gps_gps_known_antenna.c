@@ -407,6 +407,7 @@ typedef struct {
 /* Lay rows of epochs side by side. */
 static void gps_known_antenna_gather(
     int32_t count,
+    ptrdiff_t rest,
     const ekf_cal_gps_real_t x[EKF_CAL_GPS_RESTRICT],
     ptrdiff_t x_step,
     const ekf_cal_gps_real_t lever_arm[EKF_CAL_GPS_RESTRICT],
@@ -415,12 +416,12 @@ static void gps_known_antenna_gather(
     ptrdiff_t measured_step,
     gps_known_antenna_block_t *EKF_CAL_GPS_RESTRICT block)
 {
-    rows_to_lanes(count, x, x_step, 3, EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES, block->x);
-    rows_to_lanes(count, &x[9], x_step, 4, EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES,
+    rows_to_lanes(count, rest, x, x_step, 3, EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES, block->x);
+    rows_to_lanes(count, rest, &x[9], x_step, 4, EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES,
         &block->x[9 * EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES]);
-    rows_to_lanes(count, lever_arm, lever_arm_step, 3, EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES,
+    rows_to_lanes(count, rest, lever_arm, lever_arm_step, 3, EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES,
         block->lever_arm);
-    rows_to_lanes(count, measured, measured_step, 3, EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES,
+    rows_to_lanes(count, rest, measured, measured_step, 3, EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES,
         block->measured);
 }
 
@@ -449,7 +450,7 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_batch(
             const int32_t count = (rest < EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES) ? (int32_t)rest :
                 EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES;
 
-            gps_known_antenna_gather(count, &x[first * x_step], x_step,
+            gps_known_antenna_gather(count, rest, &x[first * x_step], x_step,
                 &lever_arm[first * lever_arm_step], lever_arm_step,
                 &measured[first * measured_step], measured_step, &block);
             const ekf_cal_gps_status_t outcome = gps_known_antenna_block(count, block.x,
@@ -457,11 +458,16 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_batch(
                 &status[first]);
 
             result = (outcome == EKF_CAL_GPS_OK) ? result : outcome;
-            lanes_to_rows(count, &status[first], block.value, 3,
+            lanes_to_rows(count, rest, &status[first], block.value, 3,
                 EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES, &value[3 * first]);
-            lanes_to_rows(count, &status[first], block.residual, 3,
+            lanes_to_rows(count, rest, &status[first], block.residual, 3,
                 EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES, &residual[3 * first]);
             for (int32_t lane = 0; lane < count; ++lane) {
+                const ptrdiff_t next = first + EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES + lane;
+
+                if (next < epochs) {
+                    fetch_ahead(63, &jacobian[63 * next]);
+                }
                 if (status[first + lane] == (uint8_t)EKF_CAL_GPS_OK) {
                     gps_known_antenna_fill_jacobian(&block.jacobian_nz[lane],
                         EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES, &jacobian[63 * (first + lane)]);
@@ -497,7 +503,7 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_batch_nz(
             const int32_t count = (rest < EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES) ? (int32_t)rest :
                 EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES;
 
-            gps_known_antenna_gather(count, &x[first * x_step], x_step,
+            gps_known_antenna_gather(count, rest, &x[first * x_step], x_step,
                 &lever_arm[first * lever_arm_step], lever_arm_step,
                 &measured[first * measured_step], measured_step, &block);
             const ekf_cal_gps_status_t outcome = gps_known_antenna_block(count, block.x,
@@ -505,11 +511,11 @@ ekf_cal_gps_status_t ekf_cal_gps_gps_known_antenna_batch_nz(
                 &status[first]);
 
             result = (outcome == EKF_CAL_GPS_OK) ? result : outcome;
-            lanes_to_rows(count, &status[first], block.value, 3,
+            lanes_to_rows(count, rest, &status[first], block.value, 3,
                 EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES, &value[3 * first]);
-            lanes_to_rows(count, &status[first], block.residual, 3,
+            lanes_to_rows(count, rest, &status[first], block.residual, 3,
                 EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES, &residual[3 * first]);
-            lanes_to_rows(count, &status[first], block.jacobian_nz, 12,
+            lanes_to_rows(count, rest, &status[first], block.jacobian_nz, 12,
                 EKF_CAL_GPS_GPS_KNOWN_ANTENNA_LANES, &jacobian_nz[12 * first]);
         }
     }

@@ -405,6 +405,7 @@ typedef struct {
 /* Lay rows of epochs side by side. */
 static void local_fix_gather(
     int32_t count,
+    ptrdiff_t rest,
     const ekf_cal_gps_real_t heading[EKF_CAL_GPS_RESTRICT],
     ptrdiff_t heading_step,
     const ekf_cal_gps_real_t fix[EKF_CAL_GPS_RESTRICT],
@@ -415,11 +416,12 @@ static void local_fix_gather(
     ptrdiff_t covariance_2_step,
     local_fix_block_t *EKF_CAL_GPS_RESTRICT block)
 {
-    rows_to_lanes(count, heading, heading_step, 1, EKF_CAL_GPS_LOCAL_FIX_LANES, block->heading);
-    rows_to_lanes(count, fix, fix_step, 3, EKF_CAL_GPS_LOCAL_FIX_LANES, block->fix);
-    rows_to_lanes(count, reference_2, reference_2_step, 3, EKF_CAL_GPS_LOCAL_FIX_LANES,
+    rows_to_lanes(count, rest, heading, heading_step, 1, EKF_CAL_GPS_LOCAL_FIX_LANES,
+        block->heading);
+    rows_to_lanes(count, rest, fix, fix_step, 3, EKF_CAL_GPS_LOCAL_FIX_LANES, block->fix);
+    rows_to_lanes(count, rest, reference_2, reference_2_step, 3, EKF_CAL_GPS_LOCAL_FIX_LANES,
         block->reference_2);
-    rows_to_lanes(count, covariance_2, covariance_2_step, 9, EKF_CAL_GPS_LOCAL_FIX_LANES,
+    rows_to_lanes(count, rest, covariance_2, covariance_2_step, 9, EKF_CAL_GPS_LOCAL_FIX_LANES,
         block->covariance_2);
 }
 
@@ -451,7 +453,7 @@ ekf_cal_gps_status_t ekf_cal_gps_local_fix_batch(
             const int32_t count = (rest < EKF_CAL_GPS_LOCAL_FIX_LANES) ? (int32_t)rest :
                 EKF_CAL_GPS_LOCAL_FIX_LANES;
 
-            local_fix_gather(count, &heading[first * heading_step], heading_step,
+            local_fix_gather(count, rest, &heading[first * heading_step], heading_step,
                 &fix[first * fix_step], fix_step, &reference_2[first * reference_2_step],
                 reference_2_step, &covariance_2[first * covariance_2_step], covariance_2_step,
                 &block);
@@ -460,11 +462,16 @@ ekf_cal_gps_status_t ekf_cal_gps_local_fix_batch(
                 block.value_covariance, &status[first]);
 
             result = (outcome == EKF_CAL_GPS_OK) ? result : outcome;
-            lanes_to_rows(count, &status[first], block.value, 3, EKF_CAL_GPS_LOCAL_FIX_LANES,
+            lanes_to_rows(count, rest, &status[first], block.value, 3, EKF_CAL_GPS_LOCAL_FIX_LANES,
                 &value[3 * first]);
-            lanes_to_rows(count, &status[first], block.value_covariance, 9,
+            lanes_to_rows(count, rest, &status[first], block.value_covariance, 9,
                 EKF_CAL_GPS_LOCAL_FIX_LANES, &value_covariance[9 * first]);
             for (int32_t lane = 0; lane < count; ++lane) {
+                const ptrdiff_t next = first + EKF_CAL_GPS_LOCAL_FIX_LANES + lane;
+
+                if (next < epochs) {
+                    fetch_ahead(9, &jacobian_fix[9 * next]);
+                }
                 if (status[first + lane] == (uint8_t)EKF_CAL_GPS_OK) {
                     local_fix_fill_jacobian_fix(&block.jacobian_fix_nz[lane],
                         EKF_CAL_GPS_LOCAL_FIX_LANES, &jacobian_fix[9 * (first + lane)]);
@@ -503,7 +510,7 @@ ekf_cal_gps_status_t ekf_cal_gps_local_fix_batch_nz(
             const int32_t count = (rest < EKF_CAL_GPS_LOCAL_FIX_LANES) ? (int32_t)rest :
                 EKF_CAL_GPS_LOCAL_FIX_LANES;
 
-            local_fix_gather(count, &heading[first * heading_step], heading_step,
+            local_fix_gather(count, rest, &heading[first * heading_step], heading_step,
                 &fix[first * fix_step], fix_step, &reference_2[first * reference_2_step],
                 reference_2_step, &covariance_2[first * covariance_2_step], covariance_2_step,
                 &block);
@@ -512,11 +519,11 @@ ekf_cal_gps_status_t ekf_cal_gps_local_fix_batch_nz(
                 block.value_covariance, &status[first]);
 
             result = (outcome == EKF_CAL_GPS_OK) ? result : outcome;
-            lanes_to_rows(count, &status[first], block.value, 3, EKF_CAL_GPS_LOCAL_FIX_LANES,
+            lanes_to_rows(count, rest, &status[first], block.value, 3, EKF_CAL_GPS_LOCAL_FIX_LANES,
                 &value[3 * first]);
-            lanes_to_rows(count, &status[first], block.jacobian_fix_nz, 9,
+            lanes_to_rows(count, rest, &status[first], block.jacobian_fix_nz, 9,
                 EKF_CAL_GPS_LOCAL_FIX_LANES, &jacobian_fix_nz[9 * first]);
-            lanes_to_rows(count, &status[first], block.value_covariance, 9,
+            lanes_to_rows(count, rest, &status[first], block.value_covariance, 9,
                 EKF_CAL_GPS_LOCAL_FIX_LANES, &value_covariance[9 * first]);
         }
     }

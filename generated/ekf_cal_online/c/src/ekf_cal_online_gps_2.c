@@ -503,6 +503,7 @@ typedef struct {
 /* Lay rows of epochs side by side. */
 static void gps_2_gather(
     int32_t count,
+    ptrdiff_t rest,
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT],
     ptrdiff_t x_step,
     const ekf_cal_online_real_t origin[EKF_CAL_ONLINE_RESTRICT],
@@ -511,15 +512,16 @@ static void gps_2_gather(
     ptrdiff_t measured_step,
     gps_2_block_t *EKF_CAL_ONLINE_RESTRICT block)
 {
-    rows_to_lanes(count, x, x_step, 3, EKF_CAL_ONLINE_GPS_2_LANES, block->x);
-    rows_to_lanes(count, &x[9], x_step, 4, EKF_CAL_ONLINE_GPS_2_LANES,
+    rows_to_lanes(count, rest, x, x_step, 3, EKF_CAL_ONLINE_GPS_2_LANES, block->x);
+    rows_to_lanes(count, rest, &x[9], x_step, 4, EKF_CAL_ONLINE_GPS_2_LANES,
         &block->x[9 * EKF_CAL_ONLINE_GPS_2_LANES]);
-    rows_to_lanes(count, &x[19], x_step, 1, EKF_CAL_ONLINE_GPS_2_LANES,
+    rows_to_lanes(count, rest, &x[19], x_step, 1, EKF_CAL_ONLINE_GPS_2_LANES,
         &block->x[19 * EKF_CAL_ONLINE_GPS_2_LANES]);
-    rows_to_lanes(count, &x[23], x_step, 3, EKF_CAL_ONLINE_GPS_2_LANES,
+    rows_to_lanes(count, rest, &x[23], x_step, 3, EKF_CAL_ONLINE_GPS_2_LANES,
         &block->x[23 * EKF_CAL_ONLINE_GPS_2_LANES]);
-    rows_to_lanes(count, origin, origin_step, 3, EKF_CAL_ONLINE_GPS_2_LANES, block->origin);
-    rows_to_lanes(count, measured, measured_step, 3, EKF_CAL_ONLINE_GPS_2_LANES, block->measured);
+    rows_to_lanes(count, rest, origin, origin_step, 3, EKF_CAL_ONLINE_GPS_2_LANES, block->origin);
+    rows_to_lanes(count, rest, measured, measured_step, 3, EKF_CAL_ONLINE_GPS_2_LANES,
+        block->measured);
 }
 
 ekf_cal_online_status_t ekf_cal_online_gps_2_batch(
@@ -548,18 +550,24 @@ ekf_cal_online_status_t ekf_cal_online_gps_2_batch(
             const int32_t count = (rest < EKF_CAL_ONLINE_GPS_2_LANES) ? (int32_t)rest :
                 EKF_CAL_ONLINE_GPS_2_LANES;
 
-            gps_2_gather(count, &x[first * x_step], x_step, &origin[first * origin_step],
+            gps_2_gather(count, rest, &x[first * x_step], x_step, &origin[first * origin_step],
                 origin_step, &measured[first * measured_step], measured_step, &block);
             const ekf_cal_online_status_t outcome = gps_2_block(count, block.x, block.origin,
                 block.measured, block.value, block.residual, block.jacobian_nz,
                 block.jacobian_origin_nz, &status[first]);
 
             result = (outcome == EKF_CAL_ONLINE_OK) ? result : outcome;
-            lanes_to_rows(count, &status[first], block.value, 3, EKF_CAL_ONLINE_GPS_2_LANES,
+            lanes_to_rows(count, rest, &status[first], block.value, 3, EKF_CAL_ONLINE_GPS_2_LANES,
                 &value[3 * first]);
-            lanes_to_rows(count, &status[first], block.residual, 3, EKF_CAL_ONLINE_GPS_2_LANES,
-                &residual[3 * first]);
+            lanes_to_rows(count, rest, &status[first], block.residual, 3,
+                EKF_CAL_ONLINE_GPS_2_LANES, &residual[3 * first]);
             for (int32_t lane = 0; lane < count; ++lane) {
+                const ptrdiff_t next = first + EKF_CAL_ONLINE_GPS_2_LANES + lane;
+
+                if (next < epochs) {
+                    fetch_ahead(75, &jacobian[75 * next]);
+                    fetch_ahead(9, &jacobian_origin[9 * next]);
+                }
                 if (status[first + lane] == (uint8_t)EKF_CAL_ONLINE_OK) {
                     gps_2_fill_jacobian(&block.jacobian_nz[lane], EKF_CAL_ONLINE_GPS_2_LANES,
                         &jacobian[75 * (first + lane)]);
@@ -599,20 +607,20 @@ ekf_cal_online_status_t ekf_cal_online_gps_2_batch_nz(
             const int32_t count = (rest < EKF_CAL_ONLINE_GPS_2_LANES) ? (int32_t)rest :
                 EKF_CAL_ONLINE_GPS_2_LANES;
 
-            gps_2_gather(count, &x[first * x_step], x_step, &origin[first * origin_step],
+            gps_2_gather(count, rest, &x[first * x_step], x_step, &origin[first * origin_step],
                 origin_step, &measured[first * measured_step], measured_step, &block);
             const ekf_cal_online_status_t outcome = gps_2_block(count, block.x, block.origin,
                 block.measured, block.value, block.residual, block.jacobian_nz,
                 block.jacobian_origin_nz, &status[first]);
 
             result = (outcome == EKF_CAL_ONLINE_OK) ? result : outcome;
-            lanes_to_rows(count, &status[first], block.value, 3, EKF_CAL_ONLINE_GPS_2_LANES,
+            lanes_to_rows(count, rest, &status[first], block.value, 3, EKF_CAL_ONLINE_GPS_2_LANES,
                 &value[3 * first]);
-            lanes_to_rows(count, &status[first], block.residual, 3, EKF_CAL_ONLINE_GPS_2_LANES,
-                &residual[3 * first]);
-            lanes_to_rows(count, &status[first], block.jacobian_nz, 25, EKF_CAL_ONLINE_GPS_2_LANES,
-                &jacobian_nz[25 * first]);
-            lanes_to_rows(count, &status[first], block.jacobian_origin_nz, 3,
+            lanes_to_rows(count, rest, &status[first], block.residual, 3,
+                EKF_CAL_ONLINE_GPS_2_LANES, &residual[3 * first]);
+            lanes_to_rows(count, rest, &status[first], block.jacobian_nz, 25,
+                EKF_CAL_ONLINE_GPS_2_LANES, &jacobian_nz[25 * first]);
+            lanes_to_rows(count, rest, &status[first], block.jacobian_origin_nz, 3,
                 EKF_CAL_ONLINE_GPS_2_LANES, &jacobian_origin_nz[3 * first]);
         }
     }

@@ -366,14 +366,15 @@ typedef struct {
 /* Lay rows of epochs side by side. */
 static void local_gather(
     int32_t count,
+    ptrdiff_t rest,
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT],
     ptrdiff_t x_step,
     const ekf_cal_online_real_t y[EKF_CAL_ONLINE_RESTRICT],
     ptrdiff_t y_step,
     local_block_t *EKF_CAL_ONLINE_RESTRICT block)
 {
-    rows_to_lanes(count, x, x_step, 26, EKF_CAL_ONLINE_LOCAL_LANES, block->x);
-    rows_to_lanes(count, y, y_step, 26, EKF_CAL_ONLINE_LOCAL_LANES, block->y);
+    rows_to_lanes(count, rest, x, x_step, 26, EKF_CAL_ONLINE_LOCAL_LANES, block->x);
+    rows_to_lanes(count, rest, y, y_step, 26, EKF_CAL_ONLINE_LOCAL_LANES, block->y);
 }
 
 ekf_cal_online_status_t ekf_cal_online_local_batch(
@@ -396,12 +397,13 @@ ekf_cal_online_status_t ekf_cal_online_local_batch(
             const int32_t count = (rest < EKF_CAL_ONLINE_LOCAL_LANES) ? (int32_t)rest :
                 EKF_CAL_ONLINE_LOCAL_LANES;
 
-            local_gather(count, &x[first * x_step], x_step, &y[first * y_step], y_step, &block);
+            local_gather(count, rest, &x[first * x_step], x_step, &y[first * y_step], y_step,
+                &block);
             const ekf_cal_online_status_t outcome =
                 local_block(count, block.x, block.y, block.value, &status[first]);
 
             result = (outcome == EKF_CAL_ONLINE_OK) ? result : outcome;
-            lanes_to_rows(count, &status[first], block.value, 25, EKF_CAL_ONLINE_LOCAL_LANES,
+            lanes_to_rows(count, rest, &status[first], block.value, 25, EKF_CAL_ONLINE_LOCAL_LANES,
                 &value[25 * first]);
         }
     }

@@ -364,14 +364,15 @@ typedef struct {
 /* Lay rows of epochs side by side. */
 static void retract_gather(
     int32_t count,
+    ptrdiff_t rest,
     const ekf_cal_online_real_t x[EKF_CAL_ONLINE_RESTRICT],
     ptrdiff_t x_step,
     const ekf_cal_online_real_t d[EKF_CAL_ONLINE_RESTRICT],
     ptrdiff_t d_step,
     retract_block_t *EKF_CAL_ONLINE_RESTRICT block)
 {
-    rows_to_lanes(count, x, x_step, 26, EKF_CAL_ONLINE_RETRACT_LANES, block->x);
-    rows_to_lanes(count, d, d_step, 25, EKF_CAL_ONLINE_RETRACT_LANES, block->d);
+    rows_to_lanes(count, rest, x, x_step, 26, EKF_CAL_ONLINE_RETRACT_LANES, block->x);
+    rows_to_lanes(count, rest, d, d_step, 25, EKF_CAL_ONLINE_RETRACT_LANES, block->d);
 }
 
 ekf_cal_online_status_t ekf_cal_online_retract_batch(
@@ -394,13 +395,14 @@ ekf_cal_online_status_t ekf_cal_online_retract_batch(
             const int32_t count = (rest < EKF_CAL_ONLINE_RETRACT_LANES) ? (int32_t)rest :
                 EKF_CAL_ONLINE_RETRACT_LANES;
 
-            retract_gather(count, &x[first * x_step], x_step, &d[first * d_step], d_step, &block);
+            retract_gather(count, rest, &x[first * x_step], x_step, &d[first * d_step], d_step,
+                &block);
             const ekf_cal_online_status_t outcome =
                 retract_block(count, block.x, block.d, block.value, &status[first]);
 
             result = (outcome == EKF_CAL_ONLINE_OK) ? result : outcome;
-            lanes_to_rows(count, &status[first], block.value, 26, EKF_CAL_ONLINE_RETRACT_LANES,
-                &value[26 * first]);
+            lanes_to_rows(count, rest, &status[first], block.value, 26,
+                EKF_CAL_ONLINE_RETRACT_LANES, &value[26 * first]);
         }
     }
     return result;

@@ -310,14 +310,15 @@ typedef struct {
 /* Lay rows of epochs side by side. */
 static void local_gather(
     int32_t count,
+    ptrdiff_t rest,
     const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT],
     ptrdiff_t x_step,
     const farrell_tightly_coupled_real_t y[FARRELL_TIGHTLY_COUPLED_RESTRICT],
     ptrdiff_t y_step,
     local_block_t *FARRELL_TIGHTLY_COUPLED_RESTRICT block)
 {
-    rows_to_lanes(count, x, x_step, 18, FARRELL_TIGHTLY_COUPLED_LOCAL_LANES, block->x);
-    rows_to_lanes(count, y, y_step, 18, FARRELL_TIGHTLY_COUPLED_LOCAL_LANES, block->y);
+    rows_to_lanes(count, rest, x, x_step, 18, FARRELL_TIGHTLY_COUPLED_LOCAL_LANES, block->x);
+    rows_to_lanes(count, rest, y, y_step, 18, FARRELL_TIGHTLY_COUPLED_LOCAL_LANES, block->y);
 }
 
 farrell_tightly_coupled_status_t farrell_tightly_coupled_local_batch(
@@ -340,12 +341,13 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_local_batch(
             const int32_t count = (rest < FARRELL_TIGHTLY_COUPLED_LOCAL_LANES) ? (int32_t)rest :
                 FARRELL_TIGHTLY_COUPLED_LOCAL_LANES;
 
-            local_gather(count, &x[first * x_step], x_step, &y[first * y_step], y_step, &block);
+            local_gather(count, rest, &x[first * x_step], x_step, &y[first * y_step], y_step,
+                &block);
             const farrell_tightly_coupled_status_t outcome =
                 local_block(count, block.x, block.y, block.value, &status[first]);
 
             result = (outcome == FARRELL_TIGHTLY_COUPLED_OK) ? result : outcome;
-            lanes_to_rows(count, &status[first], block.value, 17,
+            lanes_to_rows(count, rest, &status[first], block.value, 17,
                 FARRELL_TIGHTLY_COUPLED_LOCAL_LANES, &value[17 * first]);
         }
     }

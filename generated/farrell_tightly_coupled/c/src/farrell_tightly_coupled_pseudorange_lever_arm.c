@@ -549,6 +549,18 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_lever_arm_b
             (n <= FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS)) {
             result = FARRELL_TIGHTLY_COUPLED_OK;
             for (ptrdiff_t epoch = 0; epoch < epochs; ++epoch) {
+                const ptrdiff_t next = epoch + 1;
+
+                if (next < epochs) {
+                    fetch_ahead(x_step, &x[next * x_step]);
+                    fetch_ahead(c_n_e_step, &c_n_e[next * c_n_e_step]);
+                    fetch_ahead(origin_step, &origin[next * origin_step]);
+                    fetch_ahead(lever_arm_step, &lever_arm[next * lever_arm_step]);
+                    fetch_ahead(satellite_position_step,
+                        &satellite_position[next * satellite_position_step]);
+                    fetch_ahead(n, &value[next * n]);
+                    fetch_ahead(17 * n, &jacobian[(17 * next) * n]);
+                }
                 const farrell_tightly_coupled_status_t outcome =
                     pseudorange_lever_arm_rows(&x[epoch * x_step], n, &c_n_e[epoch * c_n_e_step],
                     &origin[epoch * origin_step], &lever_arm[epoch * lever_arm_step],

@@ -309,14 +309,15 @@ typedef struct {
 /* Lay rows of epochs side by side. */
 static void retract_gather(
     int32_t count,
+    ptrdiff_t rest,
     const farrell_tightly_coupled_real_t x[FARRELL_TIGHTLY_COUPLED_RESTRICT],
     ptrdiff_t x_step,
     const farrell_tightly_coupled_real_t d[FARRELL_TIGHTLY_COUPLED_RESTRICT],
     ptrdiff_t d_step,
     retract_block_t *FARRELL_TIGHTLY_COUPLED_RESTRICT block)
 {
-    rows_to_lanes(count, x, x_step, 18, FARRELL_TIGHTLY_COUPLED_RETRACT_LANES, block->x);
-    rows_to_lanes(count, d, d_step, 17, FARRELL_TIGHTLY_COUPLED_RETRACT_LANES, block->d);
+    rows_to_lanes(count, rest, x, x_step, 18, FARRELL_TIGHTLY_COUPLED_RETRACT_LANES, block->x);
+    rows_to_lanes(count, rest, d, d_step, 17, FARRELL_TIGHTLY_COUPLED_RETRACT_LANES, block->d);
 }
 
 farrell_tightly_coupled_status_t farrell_tightly_coupled_retract_batch(
@@ -339,12 +340,13 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_retract_batch(
             const int32_t count = (rest < FARRELL_TIGHTLY_COUPLED_RETRACT_LANES) ? (int32_t)rest :
                 FARRELL_TIGHTLY_COUPLED_RETRACT_LANES;
 
-            retract_gather(count, &x[first * x_step], x_step, &d[first * d_step], d_step, &block);
+            retract_gather(count, rest, &x[first * x_step], x_step, &d[first * d_step], d_step,
+                &block);
             const farrell_tightly_coupled_status_t outcome =
                 retract_block(count, block.x, block.d, block.value, &status[first]);
 
             result = (outcome == FARRELL_TIGHTLY_COUPLED_OK) ? result : outcome;
-            lanes_to_rows(count, &status[first], block.value, 18,
+            lanes_to_rows(count, rest, &status[first], block.value, 18,
                 FARRELL_TIGHTLY_COUPLED_RETRACT_LANES, &value[18 * first]);
         }
     }

@@ -500,6 +500,7 @@ typedef struct {
 /* Lay rows of epochs side by side. */
 static void calc_force_gather(
     int32_t count,
+    ptrdiff_t rest,
     const navtk_specific_force_real_t dcm[NAVTK_SPECIFIC_FORCE_RESTRICT],
     ptrdiff_t dcm_step,
     const navtk_specific_force_real_t delta_theta[NAVTK_SPECIFIC_FORCE_RESTRICT],
@@ -510,12 +511,12 @@ static void calc_force_gather(
     ptrdiff_t dt_step,
     calc_force_block_t *NAVTK_SPECIFIC_FORCE_RESTRICT block)
 {
-    rows_to_lanes(count, dcm, dcm_step, 9, NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES, block->dcm);
-    rows_to_lanes(count, delta_theta, delta_theta_step, 3, NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES,
-        block->delta_theta);
-    rows_to_lanes(count, delta_velocity, delta_velocity_step, 3,
+    rows_to_lanes(count, rest, dcm, dcm_step, 9, NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES, block->dcm);
+    rows_to_lanes(count, rest, delta_theta, delta_theta_step, 3,
+        NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES, block->delta_theta);
+    rows_to_lanes(count, rest, delta_velocity, delta_velocity_step, 3,
         NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES, block->delta_velocity);
-    rows_to_lanes(count, dt, dt_step, 1, NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES, block->dt);
+    rows_to_lanes(count, rest, dt, dt_step, 1, NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES, block->dt);
 }
 
 navtk_specific_force_status_t navtk_specific_force_calc_force_batch(
@@ -548,7 +549,7 @@ navtk_specific_force_status_t navtk_specific_force_calc_force_batch(
             const int32_t count = (rest < NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES) ? (int32_t)rest :
                 NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES;
 
-            calc_force_gather(count, &dcm[first * dcm_step], dcm_step,
+            calc_force_gather(count, rest, &dcm[first * dcm_step], dcm_step,
                 &delta_theta[first * delta_theta_step], delta_theta_step,
                 &delta_velocity[first * delta_velocity_step], delta_velocity_step,
                 &dt[first * dt_step], dt_step, &block);
@@ -558,9 +559,17 @@ navtk_specific_force_status_t navtk_specific_force_calc_force_batch(
                 block.jacobian_delta_velocity_nz, block.jacobian_dt_nz, &status[first]);
 
             result = (outcome == NAVTK_SPECIFIC_FORCE_OK) ? result : outcome;
-            lanes_to_rows(count, &status[first], block.value, 3,
+            lanes_to_rows(count, rest, &status[first], block.value, 3,
                 NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES, &value[3 * first]);
             for (int32_t lane = 0; lane < count; ++lane) {
+                const ptrdiff_t next = first + NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES + lane;
+
+                if (next < epochs) {
+                    fetch_ahead(9, &jacobian_dcm[9 * next]);
+                    fetch_ahead(9, &jacobian_delta_theta[9 * next]);
+                    fetch_ahead(9, &jacobian_delta_velocity[9 * next]);
+                    fetch_ahead(3, &jacobian_dt[3 * next]);
+                }
                 if (status[first + lane] == (uint8_t)NAVTK_SPECIFIC_FORCE_OK) {
                     calc_force_fill_jacobian_dcm(&block.jacobian_dcm_nz[lane],
                         NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES, &jacobian_dcm[9 * (first + lane)]);
@@ -609,7 +618,7 @@ navtk_specific_force_status_t navtk_specific_force_calc_force_batch_nz(
             const int32_t count = (rest < NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES) ? (int32_t)rest :
                 NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES;
 
-            calc_force_gather(count, &dcm[first * dcm_step], dcm_step,
+            calc_force_gather(count, rest, &dcm[first * dcm_step], dcm_step,
                 &delta_theta[first * delta_theta_step], delta_theta_step,
                 &delta_velocity[first * delta_velocity_step], delta_velocity_step,
                 &dt[first * dt_step], dt_step, &block);
@@ -619,15 +628,15 @@ navtk_specific_force_status_t navtk_specific_force_calc_force_batch_nz(
                 block.jacobian_delta_velocity_nz, block.jacobian_dt_nz, &status[first]);
 
             result = (outcome == NAVTK_SPECIFIC_FORCE_OK) ? result : outcome;
-            lanes_to_rows(count, &status[first], block.value, 3,
+            lanes_to_rows(count, rest, &status[first], block.value, 3,
                 NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES, &value[3 * first]);
-            lanes_to_rows(count, &status[first], block.jacobian_dcm_nz, 6,
+            lanes_to_rows(count, rest, &status[first], block.jacobian_dcm_nz, 6,
                 NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES, &jacobian_dcm_nz[6 * first]);
-            lanes_to_rows(count, &status[first], block.jacobian_delta_theta_nz, 9,
+            lanes_to_rows(count, rest, &status[first], block.jacobian_delta_theta_nz, 9,
                 NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES, &jacobian_delta_theta_nz[9 * first]);
-            lanes_to_rows(count, &status[first], block.jacobian_delta_velocity_nz, 9,
+            lanes_to_rows(count, rest, &status[first], block.jacobian_delta_velocity_nz, 9,
                 NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES, &jacobian_delta_velocity_nz[9 * first]);
-            lanes_to_rows(count, &status[first], block.jacobian_dt_nz, 3,
+            lanes_to_rows(count, rest, &status[first], block.jacobian_dt_nz, 3,
                 NAVTK_SPECIFIC_FORCE_CALC_FORCE_LANES, &jacobian_dt_nz[3 * first]);
         }
     }

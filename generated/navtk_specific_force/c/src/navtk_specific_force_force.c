@@ -557,6 +557,7 @@ typedef struct {
 /* Lay rows of epochs side by side. */
 static void force_gather(
     int32_t count,
+    ptrdiff_t rest,
     const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT],
     ptrdiff_t x_step,
     const navtk_specific_force_real_t delta_theta[NAVTK_SPECIFIC_FORCE_RESTRICT],
@@ -567,13 +568,13 @@ static void force_gather(
     ptrdiff_t dt_step,
     force_block_t *NAVTK_SPECIFIC_FORCE_RESTRICT block)
 {
-    rows_to_lanes(count, &x[6], x_step, 10, NAVTK_SPECIFIC_FORCE_FORCE_LANES,
+    rows_to_lanes(count, rest, &x[6], x_step, 10, NAVTK_SPECIFIC_FORCE_FORCE_LANES,
         &block->x[6 * NAVTK_SPECIFIC_FORCE_FORCE_LANES]);
-    rows_to_lanes(count, delta_theta, delta_theta_step, 3, NAVTK_SPECIFIC_FORCE_FORCE_LANES,
+    rows_to_lanes(count, rest, delta_theta, delta_theta_step, 3, NAVTK_SPECIFIC_FORCE_FORCE_LANES,
         block->delta_theta);
-    rows_to_lanes(count, delta_velocity, delta_velocity_step, 3, NAVTK_SPECIFIC_FORCE_FORCE_LANES,
-        block->delta_velocity);
-    rows_to_lanes(count, dt, dt_step, 1, NAVTK_SPECIFIC_FORCE_FORCE_LANES, block->dt);
+    rows_to_lanes(count, rest, delta_velocity, delta_velocity_step, 3,
+        NAVTK_SPECIFIC_FORCE_FORCE_LANES, block->delta_velocity);
+    rows_to_lanes(count, rest, dt, dt_step, 1, NAVTK_SPECIFIC_FORCE_FORCE_LANES, block->dt);
 }
 
 navtk_specific_force_status_t navtk_specific_force_force_batch(
@@ -606,8 +607,9 @@ navtk_specific_force_status_t navtk_specific_force_force_batch(
             const int32_t count = (rest < NAVTK_SPECIFIC_FORCE_FORCE_LANES) ? (int32_t)rest :
                 NAVTK_SPECIFIC_FORCE_FORCE_LANES;
 
-            force_gather(count, &x[first * x_step], x_step, &delta_theta[first * delta_theta_step],
-                delta_theta_step, &delta_velocity[first * delta_velocity_step], delta_velocity_step,
+            force_gather(count, rest, &x[first * x_step], x_step,
+                &delta_theta[first * delta_theta_step], delta_theta_step,
+                &delta_velocity[first * delta_velocity_step], delta_velocity_step,
                 &dt[first * dt_step], dt_step, &block);
             const navtk_specific_force_status_t outcome = force_block(count, block.x,
                 block.delta_theta, block.delta_velocity, block.dt, block.value, block.jacobian_nz,
@@ -615,9 +617,17 @@ navtk_specific_force_status_t navtk_specific_force_force_batch(
                 block.jacobian_dt_nz, &status[first]);
 
             result = (outcome == NAVTK_SPECIFIC_FORCE_OK) ? result : outcome;
-            lanes_to_rows(count, &status[first], block.value, 3, NAVTK_SPECIFIC_FORCE_FORCE_LANES,
-                &value[3 * first]);
+            lanes_to_rows(count, rest, &status[first], block.value, 3,
+                NAVTK_SPECIFIC_FORCE_FORCE_LANES, &value[3 * first]);
             for (int32_t lane = 0; lane < count; ++lane) {
+                const ptrdiff_t next = first + NAVTK_SPECIFIC_FORCE_FORCE_LANES + lane;
+
+                if (next < epochs) {
+                    fetch_ahead(45, &jacobian[45 * next]);
+                    fetch_ahead(9, &jacobian_delta_theta[9 * next]);
+                    fetch_ahead(9, &jacobian_delta_velocity[9 * next]);
+                    fetch_ahead(3, &jacobian_dt[3 * next]);
+                }
                 if (status[first + lane] == (uint8_t)NAVTK_SPECIFIC_FORCE_OK) {
                     force_fill_jacobian(&block.jacobian_nz[lane], NAVTK_SPECIFIC_FORCE_FORCE_LANES,
                         &jacobian[45 * (first + lane)]);
@@ -666,8 +676,9 @@ navtk_specific_force_status_t navtk_specific_force_force_batch_nz(
             const int32_t count = (rest < NAVTK_SPECIFIC_FORCE_FORCE_LANES) ? (int32_t)rest :
                 NAVTK_SPECIFIC_FORCE_FORCE_LANES;
 
-            force_gather(count, &x[first * x_step], x_step, &delta_theta[first * delta_theta_step],
-                delta_theta_step, &delta_velocity[first * delta_velocity_step], delta_velocity_step,
+            force_gather(count, rest, &x[first * x_step], x_step,
+                &delta_theta[first * delta_theta_step], delta_theta_step,
+                &delta_velocity[first * delta_velocity_step], delta_velocity_step,
                 &dt[first * dt_step], dt_step, &block);
             const navtk_specific_force_status_t outcome = force_block(count, block.x,
                 block.delta_theta, block.delta_velocity, block.dt, block.value, block.jacobian_nz,
@@ -675,15 +686,15 @@ navtk_specific_force_status_t navtk_specific_force_force_batch_nz(
                 block.jacobian_dt_nz, &status[first]);
 
             result = (outcome == NAVTK_SPECIFIC_FORCE_OK) ? result : outcome;
-            lanes_to_rows(count, &status[first], block.value, 3, NAVTK_SPECIFIC_FORCE_FORCE_LANES,
-                &value[3 * first]);
-            lanes_to_rows(count, &status[first], block.jacobian_nz, 24,
+            lanes_to_rows(count, rest, &status[first], block.value, 3,
+                NAVTK_SPECIFIC_FORCE_FORCE_LANES, &value[3 * first]);
+            lanes_to_rows(count, rest, &status[first], block.jacobian_nz, 24,
                 NAVTK_SPECIFIC_FORCE_FORCE_LANES, &jacobian_nz[24 * first]);
-            lanes_to_rows(count, &status[first], block.jacobian_delta_theta_nz, 9,
+            lanes_to_rows(count, rest, &status[first], block.jacobian_delta_theta_nz, 9,
                 NAVTK_SPECIFIC_FORCE_FORCE_LANES, &jacobian_delta_theta_nz[9 * first]);
-            lanes_to_rows(count, &status[first], block.jacobian_delta_velocity_nz, 9,
+            lanes_to_rows(count, rest, &status[first], block.jacobian_delta_velocity_nz, 9,
                 NAVTK_SPECIFIC_FORCE_FORCE_LANES, &jacobian_delta_velocity_nz[9 * first]);
-            lanes_to_rows(count, &status[first], block.jacobian_dt_nz, 3,
+            lanes_to_rows(count, rest, &status[first], block.jacobian_dt_nz, 3,
                 NAVTK_SPECIFIC_FORCE_FORCE_LANES, &jacobian_dt_nz[3 * first]);
         }
     }

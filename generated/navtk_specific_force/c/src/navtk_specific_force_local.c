@@ -292,14 +292,15 @@ typedef struct {
 /* Lay rows of epochs side by side. */
 static void local_gather(
     int32_t count,
+    ptrdiff_t rest,
     const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT],
     ptrdiff_t x_step,
     const navtk_specific_force_real_t y[NAVTK_SPECIFIC_FORCE_RESTRICT],
     ptrdiff_t y_step,
     local_block_t *NAVTK_SPECIFIC_FORCE_RESTRICT block)
 {
-    rows_to_lanes(count, x, x_step, 16, NAVTK_SPECIFIC_FORCE_LOCAL_LANES, block->x);
-    rows_to_lanes(count, y, y_step, 16, NAVTK_SPECIFIC_FORCE_LOCAL_LANES, block->y);
+    rows_to_lanes(count, rest, x, x_step, 16, NAVTK_SPECIFIC_FORCE_LOCAL_LANES, block->x);
+    rows_to_lanes(count, rest, y, y_step, 16, NAVTK_SPECIFIC_FORCE_LOCAL_LANES, block->y);
 }
 
 navtk_specific_force_status_t navtk_specific_force_local_batch(
@@ -322,13 +323,14 @@ navtk_specific_force_status_t navtk_specific_force_local_batch(
             const int32_t count = (rest < NAVTK_SPECIFIC_FORCE_LOCAL_LANES) ? (int32_t)rest :
                 NAVTK_SPECIFIC_FORCE_LOCAL_LANES;
 
-            local_gather(count, &x[first * x_step], x_step, &y[first * y_step], y_step, &block);
+            local_gather(count, rest, &x[first * x_step], x_step, &y[first * y_step], y_step,
+                &block);
             const navtk_specific_force_status_t outcome =
                 local_block(count, block.x, block.y, block.value, &status[first]);
 
             result = (outcome == NAVTK_SPECIFIC_FORCE_OK) ? result : outcome;
-            lanes_to_rows(count, &status[first], block.value, 15, NAVTK_SPECIFIC_FORCE_LOCAL_LANES,
-                &value[15 * first]);
+            lanes_to_rows(count, rest, &status[first], block.value, 15,
+                NAVTK_SPECIFIC_FORCE_LOCAL_LANES, &value[15 * first]);
         }
     }
     return result;

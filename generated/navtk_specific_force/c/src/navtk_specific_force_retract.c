@@ -290,14 +290,15 @@ typedef struct {
 /* Lay rows of epochs side by side. */
 static void retract_gather(
     int32_t count,
+    ptrdiff_t rest,
     const navtk_specific_force_real_t x[NAVTK_SPECIFIC_FORCE_RESTRICT],
     ptrdiff_t x_step,
     const navtk_specific_force_real_t d[NAVTK_SPECIFIC_FORCE_RESTRICT],
     ptrdiff_t d_step,
     retract_block_t *NAVTK_SPECIFIC_FORCE_RESTRICT block)
 {
-    rows_to_lanes(count, x, x_step, 16, NAVTK_SPECIFIC_FORCE_RETRACT_LANES, block->x);
-    rows_to_lanes(count, d, d_step, 15, NAVTK_SPECIFIC_FORCE_RETRACT_LANES, block->d);
+    rows_to_lanes(count, rest, x, x_step, 16, NAVTK_SPECIFIC_FORCE_RETRACT_LANES, block->x);
+    rows_to_lanes(count, rest, d, d_step, 15, NAVTK_SPECIFIC_FORCE_RETRACT_LANES, block->d);
 }
 
 navtk_specific_force_status_t navtk_specific_force_retract_batch(
@@ -320,12 +321,13 @@ navtk_specific_force_status_t navtk_specific_force_retract_batch(
             const int32_t count = (rest < NAVTK_SPECIFIC_FORCE_RETRACT_LANES) ? (int32_t)rest :
                 NAVTK_SPECIFIC_FORCE_RETRACT_LANES;
 
-            retract_gather(count, &x[first * x_step], x_step, &d[first * d_step], d_step, &block);
+            retract_gather(count, rest, &x[first * x_step], x_step, &d[first * d_step], d_step,
+                &block);
             const navtk_specific_force_status_t outcome =
                 retract_block(count, block.x, block.d, block.value, &status[first]);
 
             result = (outcome == NAVTK_SPECIFIC_FORCE_OK) ? result : outcome;
-            lanes_to_rows(count, &status[first], block.value, 16,
+            lanes_to_rows(count, rest, &status[first], block.value, 16,
                 NAVTK_SPECIFIC_FORCE_RETRACT_LANES, &value[16 * first]);
         }
     }

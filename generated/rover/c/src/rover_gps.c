@@ -355,13 +355,14 @@ typedef struct {
 /* Lay rows of epochs side by side. */
 static void gps_gather(
     int32_t count,
+    ptrdiff_t rest,
     const rover_real_t x[ROVER_RESTRICT],
     ptrdiff_t x_step,
     gps_block_t *ROVER_RESTRICT block)
 {
-    rows_to_lanes(count, x, x_step, 3, ROVER_GPS_LANES, block->x);
-    rows_to_lanes(count, &x[6], x_step, 4, ROVER_GPS_LANES, &block->x[6 * ROVER_GPS_LANES]);
-    rows_to_lanes(count, &x[16], x_step, 3, ROVER_GPS_LANES, &block->x[16 * ROVER_GPS_LANES]);
+    rows_to_lanes(count, rest, x, x_step, 3, ROVER_GPS_LANES, block->x);
+    rows_to_lanes(count, rest, &x[6], x_step, 4, ROVER_GPS_LANES, &block->x[6 * ROVER_GPS_LANES]);
+    rows_to_lanes(count, rest, &x[16], x_step, 3, ROVER_GPS_LANES, &block->x[16 * ROVER_GPS_LANES]);
 }
 
 rover_status_t rover_gps_batch(
@@ -382,14 +383,19 @@ rover_status_t rover_gps_batch(
             const ptrdiff_t rest = epochs - first;
             const int32_t count = (rest < ROVER_GPS_LANES) ? (int32_t)rest : ROVER_GPS_LANES;
 
-            gps_gather(count, &x[first * x_step], x_step, &block);
+            gps_gather(count, rest, &x[first * x_step], x_step, &block);
             const rover_status_t outcome =
                 gps_block(count, block.x, block.value, block.jacobian_nz, &status[first]);
 
             result = (outcome == ROVER_OK) ? result : outcome;
-            lanes_to_rows(count, &status[first], block.value, 3, ROVER_GPS_LANES,
+            lanes_to_rows(count, rest, &status[first], block.value, 3, ROVER_GPS_LANES,
                 &value[3 * first]);
             for (int32_t lane = 0; lane < count; ++lane) {
+                const ptrdiff_t next = first + ROVER_GPS_LANES + lane;
+
+                if (next < epochs) {
+                    fetch_ahead(63, &jacobian[63 * next]);
+                }
                 if (status[first + lane] == (uint8_t)ROVER_OK) {
                     gps_fill_jacobian(&block.jacobian_nz[lane], ROVER_GPS_LANES,
                         &jacobian[63 * (first + lane)]);
@@ -418,14 +424,14 @@ rover_status_t rover_gps_batch_nz(
             const ptrdiff_t rest = epochs - first;
             const int32_t count = (rest < ROVER_GPS_LANES) ? (int32_t)rest : ROVER_GPS_LANES;
 
-            gps_gather(count, &x[first * x_step], x_step, &block);
+            gps_gather(count, rest, &x[first * x_step], x_step, &block);
             const rover_status_t outcome =
                 gps_block(count, block.x, block.value, block.jacobian_nz, &status[first]);
 
             result = (outcome == ROVER_OK) ? result : outcome;
-            lanes_to_rows(count, &status[first], block.value, 3, ROVER_GPS_LANES,
+            lanes_to_rows(count, rest, &status[first], block.value, 3, ROVER_GPS_LANES,
                 &value[3 * first]);
-            lanes_to_rows(count, &status[first], block.jacobian_nz, 21, ROVER_GPS_LANES,
+            lanes_to_rows(count, rest, &status[first], block.jacobian_nz, 21, ROVER_GPS_LANES,
                 &jacobian_nz[21 * first]);
         }
     }

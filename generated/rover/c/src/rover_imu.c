@@ -424,6 +424,7 @@ typedef struct {
 /* Lay rows of epochs side by side. */
 static void imu_gather(
     int32_t count,
+    ptrdiff_t rest,
     const rover_real_t x[ROVER_RESTRICT],
     ptrdiff_t x_step,
     const rover_real_t delta_theta[ROVER_RESTRICT],
@@ -434,11 +435,12 @@ static void imu_gather(
     ptrdiff_t dt_step,
     imu_block_t *ROVER_RESTRICT block)
 {
-    rows_to_lanes(count, &x[6], x_step, 10, ROVER_IMU_LANES, &block->x[6 * ROVER_IMU_LANES]);
-    rows_to_lanes(count, delta_theta, delta_theta_step, 6, ROVER_IMU_LANES, block->delta_theta);
-    rows_to_lanes(count, delta_velocity, delta_velocity_step, 6, ROVER_IMU_LANES,
+    rows_to_lanes(count, rest, &x[6], x_step, 10, ROVER_IMU_LANES, &block->x[6 * ROVER_IMU_LANES]);
+    rows_to_lanes(count, rest, delta_theta, delta_theta_step, 6, ROVER_IMU_LANES,
+        block->delta_theta);
+    rows_to_lanes(count, rest, delta_velocity, delta_velocity_step, 6, ROVER_IMU_LANES,
         block->delta_velocity);
-    rows_to_lanes(count, dt, dt_step, 1, ROVER_IMU_LANES, block->dt);
+    rows_to_lanes(count, rest, dt, dt_step, 1, ROVER_IMU_LANES, block->dt);
 }
 
 rover_status_t rover_imu_batch(
@@ -466,16 +468,22 @@ rover_status_t rover_imu_batch(
             const ptrdiff_t rest = epochs - first;
             const int32_t count = (rest < ROVER_IMU_LANES) ? (int32_t)rest : ROVER_IMU_LANES;
 
-            imu_gather(count, &x[first * x_step], x_step, &delta_theta[first * delta_theta_step],
-                delta_theta_step, &delta_velocity[first * delta_velocity_step], delta_velocity_step,
+            imu_gather(count, rest, &x[first * x_step], x_step,
+                &delta_theta[first * delta_theta_step], delta_theta_step,
+                &delta_velocity[first * delta_velocity_step], delta_velocity_step,
                 &dt[first * dt_step], dt_step, &block);
             const rover_status_t outcome = imu_block(count, block.x, block.delta_theta,
                 block.delta_velocity, block.dt, block.value, block.jacobian_nz, &status[first]);
 
             result = (outcome == ROVER_OK) ? result : outcome;
-            lanes_to_rows(count, &status[first], block.value, 3, ROVER_IMU_LANES,
+            lanes_to_rows(count, rest, &status[first], block.value, 3, ROVER_IMU_LANES,
                 &value[3 * first]);
             for (int32_t lane = 0; lane < count; ++lane) {
+                const ptrdiff_t next = first + ROVER_IMU_LANES + lane;
+
+                if (next < epochs) {
+                    fetch_ahead(63, &jacobian[63 * next]);
+                }
                 if (status[first + lane] == (uint8_t)ROVER_OK) {
                     imu_fill_jacobian(&block.jacobian_nz[lane], ROVER_IMU_LANES,
                         &jacobian[63 * (first + lane)]);
@@ -511,16 +519,17 @@ rover_status_t rover_imu_batch_nz(
             const ptrdiff_t rest = epochs - first;
             const int32_t count = (rest < ROVER_IMU_LANES) ? (int32_t)rest : ROVER_IMU_LANES;
 
-            imu_gather(count, &x[first * x_step], x_step, &delta_theta[first * delta_theta_step],
-                delta_theta_step, &delta_velocity[first * delta_velocity_step], delta_velocity_step,
+            imu_gather(count, rest, &x[first * x_step], x_step,
+                &delta_theta[first * delta_theta_step], delta_theta_step,
+                &delta_velocity[first * delta_velocity_step], delta_velocity_step,
                 &dt[first * dt_step], dt_step, &block);
             const rover_status_t outcome = imu_block(count, block.x, block.delta_theta,
                 block.delta_velocity, block.dt, block.value, block.jacobian_nz, &status[first]);
 
             result = (outcome == ROVER_OK) ? result : outcome;
-            lanes_to_rows(count, &status[first], block.value, 3, ROVER_IMU_LANES,
+            lanes_to_rows(count, rest, &status[first], block.value, 3, ROVER_IMU_LANES,
                 &value[3 * first]);
-            lanes_to_rows(count, &status[first], block.jacobian_nz, 27, ROVER_IMU_LANES,
+            lanes_to_rows(count, rest, &status[first], block.jacobian_nz, 27, ROVER_IMU_LANES,
                 &jacobian_nz[27 * first]);
         }
     }

@@ -339,14 +339,15 @@ typedef struct {
 /* Lay rows of epochs side by side. */
 static void local_gather(
     int32_t count,
+    ptrdiff_t rest,
     const rover_real_t x[ROVER_RESTRICT],
     ptrdiff_t x_step,
     const rover_real_t y[ROVER_RESTRICT],
     ptrdiff_t y_step,
     local_block_t *ROVER_RESTRICT block)
 {
-    rows_to_lanes(count, x, x_step, 22, ROVER_LOCAL_LANES, block->x);
-    rows_to_lanes(count, y, y_step, 22, ROVER_LOCAL_LANES, block->y);
+    rows_to_lanes(count, rest, x, x_step, 22, ROVER_LOCAL_LANES, block->x);
+    rows_to_lanes(count, rest, y, y_step, 22, ROVER_LOCAL_LANES, block->y);
 }
 
 rover_status_t rover_local_batch(
@@ -368,12 +369,13 @@ rover_status_t rover_local_batch(
             const ptrdiff_t rest = epochs - first;
             const int32_t count = (rest < ROVER_LOCAL_LANES) ? (int32_t)rest : ROVER_LOCAL_LANES;
 
-            local_gather(count, &x[first * x_step], x_step, &y[first * y_step], y_step, &block);
+            local_gather(count, rest, &x[first * x_step], x_step, &y[first * y_step], y_step,
+                &block);
             const rover_status_t outcome =
                 local_block(count, block.x, block.y, block.value, &status[first]);
 
             result = (outcome == ROVER_OK) ? result : outcome;
-            lanes_to_rows(count, &status[first], block.value, 21, ROVER_LOCAL_LANES,
+            lanes_to_rows(count, rest, &status[first], block.value, 21, ROVER_LOCAL_LANES,
                 &value[21 * first]);
         }
     }

@@ -338,14 +338,15 @@ typedef struct {
 /* Lay rows of epochs side by side. */
 static void retract_gather(
     int32_t count,
+    ptrdiff_t rest,
     const rover_real_t x[ROVER_RESTRICT],
     ptrdiff_t x_step,
     const rover_real_t d[ROVER_RESTRICT],
     ptrdiff_t d_step,
     retract_block_t *ROVER_RESTRICT block)
 {
-    rows_to_lanes(count, x, x_step, 22, ROVER_RETRACT_LANES, block->x);
-    rows_to_lanes(count, d, d_step, 21, ROVER_RETRACT_LANES, block->d);
+    rows_to_lanes(count, rest, x, x_step, 22, ROVER_RETRACT_LANES, block->x);
+    rows_to_lanes(count, rest, d, d_step, 21, ROVER_RETRACT_LANES, block->d);
 }
 
 rover_status_t rover_retract_batch(
@@ -368,12 +369,13 @@ rover_status_t rover_retract_batch(
             const int32_t count = (rest < ROVER_RETRACT_LANES) ? (int32_t)rest :
                 ROVER_RETRACT_LANES;
 
-            retract_gather(count, &x[first * x_step], x_step, &d[first * d_step], d_step, &block);
+            retract_gather(count, rest, &x[first * x_step], x_step, &d[first * d_step], d_step,
+                &block);
             const rover_status_t outcome =
                 retract_block(count, block.x, block.d, block.value, &status[first]);
 
             result = (outcome == ROVER_OK) ? result : outcome;
-            lanes_to_rows(count, &status[first], block.value, 22, ROVER_RETRACT_LANES,
+            lanes_to_rows(count, rest, &status[first], block.value, 22, ROVER_RETRACT_LANES,
                 &value[22 * first]);
         }
     }

@@ -542,6 +542,7 @@ typedef struct {
 /* Lay rows of epochs side by side. */
 static void broadcast_orbit_gather(
     int32_t count,
+    ptrdiff_t rest,
     const single_point_real_t time_2[SINGLE_POINT_RESTRICT],
     ptrdiff_t time_2_step,
     const single_point_real_t toe[SINGLE_POINT_RESTRICT],
@@ -588,36 +589,38 @@ static void broadcast_orbit_gather(
     ptrdiff_t group_delay_step,
     broadcast_orbit_block_t *SINGLE_POINT_RESTRICT block)
 {
-    rows_to_lanes(count, time_2, time_2_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->time_2);
-    rows_to_lanes(count, toe, toe_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->toe);
-    rows_to_lanes(count, toc, toc_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->toc);
-    rows_to_lanes(count, sqrt_a, sqrt_a_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->sqrt_a);
-    rows_to_lanes(count, eccentricity, eccentricity_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES,
-        block->eccentricity);
-    rows_to_lanes(count, mean_anomaly, mean_anomaly_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES,
-        block->mean_anomaly);
-    rows_to_lanes(count, mean_motion_difference, mean_motion_difference_step, 1,
+    rows_to_lanes(count, rest, time_2, time_2_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES,
+        block->time_2);
+    rows_to_lanes(count, rest, toe, toe_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->toe);
+    rows_to_lanes(count, rest, toc, toc_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->toc);
+    rows_to_lanes(count, rest, sqrt_a, sqrt_a_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES,
+        block->sqrt_a);
+    rows_to_lanes(count, rest, eccentricity, eccentricity_step, 1,
+        SINGLE_POINT_BROADCAST_ORBIT_LANES, block->eccentricity);
+    rows_to_lanes(count, rest, mean_anomaly, mean_anomaly_step, 1,
+        SINGLE_POINT_BROADCAST_ORBIT_LANES, block->mean_anomaly);
+    rows_to_lanes(count, rest, mean_motion_difference, mean_motion_difference_step, 1,
         SINGLE_POINT_BROADCAST_ORBIT_LANES, block->mean_motion_difference);
-    rows_to_lanes(count, inclination, inclination_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES,
+    rows_to_lanes(count, rest, inclination, inclination_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES,
         block->inclination);
-    rows_to_lanes(count, inclination_rate, inclination_rate_step, 1,
+    rows_to_lanes(count, rest, inclination_rate, inclination_rate_step, 1,
         SINGLE_POINT_BROADCAST_ORBIT_LANES, block->inclination_rate);
-    rows_to_lanes(count, right_ascension, right_ascension_step, 1,
+    rows_to_lanes(count, rest, right_ascension, right_ascension_step, 1,
         SINGLE_POINT_BROADCAST_ORBIT_LANES, block->right_ascension);
-    rows_to_lanes(count, right_ascension_rate, right_ascension_rate_step, 1,
+    rows_to_lanes(count, rest, right_ascension_rate, right_ascension_rate_step, 1,
         SINGLE_POINT_BROADCAST_ORBIT_LANES, block->right_ascension_rate);
-    rows_to_lanes(count, argument_of_perigee, argument_of_perigee_step, 1,
+    rows_to_lanes(count, rest, argument_of_perigee, argument_of_perigee_step, 1,
         SINGLE_POINT_BROADCAST_ORBIT_LANES, block->argument_of_perigee);
-    rows_to_lanes(count, cuc, cuc_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->cuc);
-    rows_to_lanes(count, cus, cus_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->cus);
-    rows_to_lanes(count, crc, crc_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->crc);
-    rows_to_lanes(count, crs, crs_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->crs);
-    rows_to_lanes(count, cic, cic_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->cic);
-    rows_to_lanes(count, cis, cis_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->cis);
-    rows_to_lanes(count, af0, af0_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->af0);
-    rows_to_lanes(count, af1, af1_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->af1);
-    rows_to_lanes(count, af2, af2_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->af2);
-    rows_to_lanes(count, group_delay, group_delay_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES,
+    rows_to_lanes(count, rest, cuc, cuc_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->cuc);
+    rows_to_lanes(count, rest, cus, cus_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->cus);
+    rows_to_lanes(count, rest, crc, crc_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->crc);
+    rows_to_lanes(count, rest, crs, crs_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->crs);
+    rows_to_lanes(count, rest, cic, cic_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->cic);
+    rows_to_lanes(count, rest, cis, cis_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->cis);
+    rows_to_lanes(count, rest, af0, af0_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->af0);
+    rows_to_lanes(count, rest, af1, af1_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->af1);
+    rows_to_lanes(count, rest, af2, af2_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES, block->af2);
+    rows_to_lanes(count, rest, group_delay, group_delay_step, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES,
         block->group_delay);
 }
 
@@ -691,7 +694,7 @@ single_point_status_t single_point_broadcast_orbit_batch(
             const int32_t count = (rest < SINGLE_POINT_BROADCAST_ORBIT_LANES) ? (int32_t)rest :
                 SINGLE_POINT_BROADCAST_ORBIT_LANES;
 
-            broadcast_orbit_gather(count, &time_2[first * time_2_step], time_2_step,
+            broadcast_orbit_gather(count, rest, &time_2[first * time_2_step], time_2_step,
                 &toe[first * toe_step], toe_step, &toc[first * toc_step], toc_step,
                 &sqrt_a[first * sqrt_a_step], sqrt_a_step, &eccentricity[first * eccentricity_step],
                 eccentricity_step, &mean_anomaly[first * mean_anomaly_step], mean_anomaly_step,
@@ -716,13 +719,13 @@ single_point_status_t single_point_broadcast_orbit_batch(
                 block.velocity, block.clock_rate, &status[first]);
 
             result = (outcome == SINGLE_POINT_OK) ? result : outcome;
-            lanes_to_rows(count, &status[first], block.position, 3,
+            lanes_to_rows(count, rest, &status[first], block.position, 3,
                 SINGLE_POINT_BROADCAST_ORBIT_LANES, &position[3 * first]);
-            lanes_to_rows(count, &status[first], block.clock, 1, SINGLE_POINT_BROADCAST_ORBIT_LANES,
-                &clock[first]);
-            lanes_to_rows(count, &status[first], block.velocity, 3,
+            lanes_to_rows(count, rest, &status[first], block.clock, 1,
+                SINGLE_POINT_BROADCAST_ORBIT_LANES, &clock[first]);
+            lanes_to_rows(count, rest, &status[first], block.velocity, 3,
                 SINGLE_POINT_BROADCAST_ORBIT_LANES, &velocity[3 * first]);
-            lanes_to_rows(count, &status[first], block.clock_rate, 1,
+            lanes_to_rows(count, rest, &status[first], block.clock_rate, 1,
                 SINGLE_POINT_BROADCAST_ORBIT_LANES, &clock_rate[first]);
         }
     }

@@ -202,14 +202,15 @@ typedef struct {
 /* Lay rows of epochs side by side. */
 static void local_gather(
     int32_t count,
+    ptrdiff_t rest,
     const single_point_real_t x[SINGLE_POINT_RESTRICT],
     ptrdiff_t x_step,
     const single_point_real_t y[SINGLE_POINT_RESTRICT],
     ptrdiff_t y_step,
     local_block_t *SINGLE_POINT_RESTRICT block)
 {
-    rows_to_lanes(count, x, x_step, 4, SINGLE_POINT_LOCAL_LANES, block->x);
-    rows_to_lanes(count, y, y_step, 4, SINGLE_POINT_LOCAL_LANES, block->y);
+    rows_to_lanes(count, rest, x, x_step, 4, SINGLE_POINT_LOCAL_LANES, block->x);
+    rows_to_lanes(count, rest, y, y_step, 4, SINGLE_POINT_LOCAL_LANES, block->y);
 }
 
 single_point_status_t single_point_local_batch(
@@ -232,12 +233,13 @@ single_point_status_t single_point_local_batch(
             const int32_t count = (rest < SINGLE_POINT_LOCAL_LANES) ? (int32_t)rest :
                 SINGLE_POINT_LOCAL_LANES;
 
-            local_gather(count, &x[first * x_step], x_step, &y[first * y_step], y_step, &block);
+            local_gather(count, rest, &x[first * x_step], x_step, &y[first * y_step], y_step,
+                &block);
             const single_point_status_t outcome =
                 local_block(count, block.x, block.y, block.value, &status[first]);
 
             result = (outcome == SINGLE_POINT_OK) ? result : outcome;
-            lanes_to_rows(count, &status[first], block.value, 4, SINGLE_POINT_LOCAL_LANES,
+            lanes_to_rows(count, rest, &status[first], block.value, 4, SINGLE_POINT_LOCAL_LANES,
                 &value[4 * first]);
         }
     }

@@ -503,6 +503,19 @@ single_point_status_t single_point_pseudorange_batch(
         if ((epochs >= 0) && (n >= 0) && (n <= SINGLE_POINT_PSEUDORANGE_MAX_ITEMS)) {
             result = SINGLE_POINT_OK;
             for (ptrdiff_t epoch = 0; epoch < epochs; ++epoch) {
+                const ptrdiff_t next = epoch + 1;
+
+                if (next < epochs) {
+                    fetch_ahead(x_step, &x[next * x_step]);
+                    fetch_ahead(satellite_position_step,
+                        &satellite_position[next * satellite_position_step]);
+                    fetch_ahead(satellite_clock_step,
+                        &satellite_clock[next * satellite_clock_step]);
+                    fetch_ahead(troposphere_step, &troposphere[next * troposphere_step]);
+                    fetch_ahead(ionosphere_step, &ionosphere[next * ionosphere_step]);
+                    fetch_ahead(n, &value[next * n]);
+                    fetch_ahead(4 * n, &jacobian[(4 * next) * n]);
+                }
                 const single_point_status_t outcome = pseudorange_rows(&x[epoch * x_step], n,
                     &satellite_position[epoch * satellite_position_step],
                     &satellite_clock[epoch * satellite_clock_step],

@@ -202,14 +202,15 @@ typedef struct {
 /* Lay rows of epochs side by side. */
 static void retract_gather(
     int32_t count,
+    ptrdiff_t rest,
     const single_point_real_t x[SINGLE_POINT_RESTRICT],
     ptrdiff_t x_step,
     const single_point_real_t d[SINGLE_POINT_RESTRICT],
     ptrdiff_t d_step,
     retract_block_t *SINGLE_POINT_RESTRICT block)
 {
-    rows_to_lanes(count, x, x_step, 4, SINGLE_POINT_RETRACT_LANES, block->x);
-    rows_to_lanes(count, d, d_step, 4, SINGLE_POINT_RETRACT_LANES, block->d);
+    rows_to_lanes(count, rest, x, x_step, 4, SINGLE_POINT_RETRACT_LANES, block->x);
+    rows_to_lanes(count, rest, d, d_step, 4, SINGLE_POINT_RETRACT_LANES, block->d);
 }
 
 single_point_status_t single_point_retract_batch(
@@ -232,12 +233,13 @@ single_point_status_t single_point_retract_batch(
             const int32_t count = (rest < SINGLE_POINT_RETRACT_LANES) ? (int32_t)rest :
                 SINGLE_POINT_RETRACT_LANES;
 
-            retract_gather(count, &x[first * x_step], x_step, &d[first * d_step], d_step, &block);
+            retract_gather(count, rest, &x[first * x_step], x_step, &d[first * d_step], d_step,
+                &block);
             const single_point_status_t outcome =
                 retract_block(count, block.x, block.d, block.value, &status[first]);
 
             result = (outcome == SINGLE_POINT_OK) ? result : outcome;
-            lanes_to_rows(count, &status[first], block.value, 4, SINGLE_POINT_RETRACT_LANES,
+            lanes_to_rows(count, rest, &status[first], block.value, 4, SINGLE_POINT_RETRACT_LANES,
                 &value[4 * first]);
         }
     }

@@ -144,10 +144,27 @@ WARPOS_GPS_INLINE warpos_gps_flag_t is_skewed_quaternion(
     return (fabs(excess) <= tolerance) ? (warpos_gps_flag_t)0U : (warpos_gps_flag_t)1U;
 }
 
+/* Bring memory that is read or written next into the cache, a line of 64 bytes at a time. A hint:
+   compilers and processors that know nothing of it do nothing. */
+#if (defined(__GNUC__) || defined(__clang__)) && !defined(__FRAMAC__)
+#define WARPOS_GPS_PREFETCH(place) __builtin_prefetch(place)
+#else
+#define WARPOS_GPS_PREFETCH(place) ((void)(place))
+#endif
+
+WARPOS_GPS_INLINE void fetch_ahead(ptrdiff_t count, const warpos_gps_real_t numbers[])
+{
+    for (ptrdiff_t k = 0; k < count; k += 64 / (ptrdiff_t)sizeof(warpos_gps_real_t)) {
+        WARPOS_GPS_PREFETCH(&numbers[k]);
+    }
+}
+
 /* Lay rows of epochs side by side: element k of epoch lane at [k * lanes + lane]. Two by two, so
-   that pairs move in vector registers. */
+   that pairs move in vector registers. Of the rest, of which count are moved, the block behind
+   is asked for. */
 WARPOS_GPS_INLINE void rows_to_lanes(
     int32_t count,
+    ptrdiff_t rest,
     const warpos_gps_real_t rows[],
     ptrdiff_t step,
     int32_t size,
@@ -159,6 +176,10 @@ WARPOS_GPS_INLINE void rows_to_lanes(
         const warpos_gps_real_t *const next = &row[step];
         warpos_gps_real_t *const column = &blocked[lane];
 
+        if ((lane + lanes) < (rest - 1)) {
+            fetch_ahead(size, &row[lanes * step]);
+            fetch_ahead(size, &next[lanes * step]);
+        }
         for (int32_t k = 0; k < (size - 1); k += 2) {
             const warpos_gps_real_t row_0 = row[k];
             const warpos_gps_real_t row_1 = row[k + 1];
@@ -185,6 +206,7 @@ WARPOS_GPS_INLINE void rows_to_lanes(
 /* Store epochs that lie side by side as rows, those that passed; two by two, as above. */
 WARPOS_GPS_INLINE void lanes_to_rows(
     int32_t count,
+    ptrdiff_t rest,
     const uint8_t status[],
     const warpos_gps_real_t blocked[],
     int32_t size,
@@ -198,6 +220,9 @@ WARPOS_GPS_INLINE void lanes_to_rows(
         warpos_gps_real_t *const row = &rows[lane * size];
         warpos_gps_real_t *const next = &row[size];
 
+        if ((lane + lanes) < (rest - 1)) {
+            fetch_ahead(2 * size, &row[lanes * size]);
+        }
         if ((lane < (count - 1)) && ((status[lane] | status[lane + 1]) == (int)WARPOS_GPS_OK)) {
             for (int32_t k = 0; k < (size - 1); k += 2) {
                 const warpos_gps_real_t row_0 = column[k * lanes];

@@ -271,14 +271,15 @@ typedef struct {
 /* Lay rows of epochs side by side. */
 static void local_gather(
     int32_t count,
+    ptrdiff_t rest,
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
     ptrdiff_t x_step,
     const warpos_gps_real_t y[WARPOS_GPS_RESTRICT],
     ptrdiff_t y_step,
     local_block_t *WARPOS_GPS_RESTRICT block)
 {
-    rows_to_lanes(count, x, x_step, 15, WARPOS_GPS_LOCAL_LANES, block->x);
-    rows_to_lanes(count, y, y_step, 15, WARPOS_GPS_LOCAL_LANES, block->y);
+    rows_to_lanes(count, rest, x, x_step, 15, WARPOS_GPS_LOCAL_LANES, block->x);
+    rows_to_lanes(count, rest, y, y_step, 15, WARPOS_GPS_LOCAL_LANES, block->y);
 }
 
 warpos_gps_status_t warpos_gps_local_batch(
@@ -301,12 +302,13 @@ warpos_gps_status_t warpos_gps_local_batch(
             const int32_t count = (rest < WARPOS_GPS_LOCAL_LANES) ? (int32_t)rest :
                 WARPOS_GPS_LOCAL_LANES;
 
-            local_gather(count, &x[first * x_step], x_step, &y[first * y_step], y_step, &block);
+            local_gather(count, rest, &x[first * x_step], x_step, &y[first * y_step], y_step,
+                &block);
             const warpos_gps_status_t outcome =
                 local_block(count, block.x, block.y, block.value, &status[first]);
 
             result = (outcome == WARPOS_GPS_OK) ? result : outcome;
-            lanes_to_rows(count, &status[first], block.value, 15, WARPOS_GPS_LOCAL_LANES,
+            lanes_to_rows(count, rest, &status[first], block.value, 15, WARPOS_GPS_LOCAL_LANES,
                 &value[15 * first]);
         }
     }

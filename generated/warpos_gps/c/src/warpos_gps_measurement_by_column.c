@@ -306,11 +306,12 @@ typedef struct {
 /* Lay rows of epochs side by side. */
 static void measurement_by_column_gather(
     int32_t count,
+    ptrdiff_t rest,
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
     ptrdiff_t x_step,
     measurement_by_column_block_t *WARPOS_GPS_RESTRICT block)
 {
-    rows_to_lanes(count, &x[4], x_step, 3, WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES,
+    rows_to_lanes(count, rest, &x[4], x_step, 3, WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES,
         &block->x[4 * WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES]);
 }
 
@@ -333,14 +334,19 @@ warpos_gps_status_t warpos_gps_measurement_by_column_batch(
             const int32_t count = (rest < WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES) ? (int32_t)rest :
                 WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES;
 
-            measurement_by_column_gather(count, &x[first * x_step], x_step, &block);
+            measurement_by_column_gather(count, rest, &x[first * x_step], x_step, &block);
             const warpos_gps_status_t outcome = measurement_by_column_block(count, block.x,
                 block.value, block.jacobian_nz, &status[first]);
 
             result = (outcome == WARPOS_GPS_OK) ? result : outcome;
-            lanes_to_rows(count, &status[first], block.value, 3,
+            lanes_to_rows(count, rest, &status[first], block.value, 3,
                 WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES, &value[3 * first]);
             for (int32_t lane = 0; lane < count; ++lane) {
+                const ptrdiff_t next = first + WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES + lane;
+
+                if (next < epochs) {
+                    fetch_ahead(45, &jacobian[45 * next]);
+                }
                 if (status[first + lane] == (uint8_t)WARPOS_GPS_OK) {
                     measurement_by_column_fill_jacobian_by_row(&block.jacobian_nz[lane],
                         WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES, &jacobian[45 * (first + lane)]);
@@ -370,14 +376,14 @@ warpos_gps_status_t warpos_gps_measurement_by_column_batch_nz(
             const int32_t count = (rest < WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES) ? (int32_t)rest :
                 WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES;
 
-            measurement_by_column_gather(count, &x[first * x_step], x_step, &block);
+            measurement_by_column_gather(count, rest, &x[first * x_step], x_step, &block);
             const warpos_gps_status_t outcome = measurement_by_column_block(count, block.x,
                 block.value, block.jacobian_nz, &status[first]);
 
             result = (outcome == WARPOS_GPS_OK) ? result : outcome;
-            lanes_to_rows(count, &status[first], block.value, 3,
+            lanes_to_rows(count, rest, &status[first], block.value, 3,
                 WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES, &value[3 * first]);
-            lanes_to_rows(count, &status[first], block.jacobian_nz, 3,
+            lanes_to_rows(count, rest, &status[first], block.jacobian_nz, 3,
                 WARPOS_GPS_MEASUREMENT_BY_COLUMN_LANES, &jacobian_nz[3 * first]);
         }
     }

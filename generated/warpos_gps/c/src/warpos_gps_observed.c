@@ -322,16 +322,17 @@ typedef struct {
 /* Lay rows of epochs side by side. */
 static void observed_gather(
     int32_t count,
+    ptrdiff_t rest,
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
     ptrdiff_t x_step,
     const warpos_gps_real_t observer_attitude[WARPOS_GPS_RESTRICT],
     ptrdiff_t observer_attitude_step,
     observed_block_t *WARPOS_GPS_RESTRICT block)
 {
-    rows_to_lanes(count, &x[4], x_step, 3, WARPOS_GPS_OBSERVED_LANES,
+    rows_to_lanes(count, rest, &x[4], x_step, 3, WARPOS_GPS_OBSERVED_LANES,
         &block->x[4 * WARPOS_GPS_OBSERVED_LANES]);
-    rows_to_lanes(count, observer_attitude, observer_attitude_step, 4, WARPOS_GPS_OBSERVED_LANES,
-        block->observer_attitude);
+    rows_to_lanes(count, rest, observer_attitude, observer_attitude_step, 4,
+        WARPOS_GPS_OBSERVED_LANES, block->observer_attitude);
 }
 
 warpos_gps_status_t warpos_gps_observed_batch(
@@ -356,15 +357,20 @@ warpos_gps_status_t warpos_gps_observed_batch(
             const int32_t count = (rest < WARPOS_GPS_OBSERVED_LANES) ? (int32_t)rest :
                 WARPOS_GPS_OBSERVED_LANES;
 
-            observed_gather(count, &x[first * x_step], x_step,
+            observed_gather(count, rest, &x[first * x_step], x_step,
                 &observer_attitude[first * observer_attitude_step], observer_attitude_step, &block);
             const warpos_gps_status_t outcome = observed_block(count, block.x,
                 block.observer_attitude, block.value, block.jacobian_nz, &status[first]);
 
             result = (outcome == WARPOS_GPS_OK) ? result : outcome;
-            lanes_to_rows(count, &status[first], block.value, 3, WARPOS_GPS_OBSERVED_LANES,
+            lanes_to_rows(count, rest, &status[first], block.value, 3, WARPOS_GPS_OBSERVED_LANES,
                 &value[3 * first]);
             for (int32_t lane = 0; lane < count; ++lane) {
+                const ptrdiff_t next = first + WARPOS_GPS_OBSERVED_LANES + lane;
+
+                if (next < epochs) {
+                    fetch_ahead(45, &jacobian[45 * next]);
+                }
                 if (status[first + lane] == (uint8_t)WARPOS_GPS_OK) {
                     observed_fill_jacobian(&block.jacobian_nz[lane], WARPOS_GPS_OBSERVED_LANES,
                         &jacobian[45 * (first + lane)]);
@@ -397,16 +403,16 @@ warpos_gps_status_t warpos_gps_observed_batch_nz(
             const int32_t count = (rest < WARPOS_GPS_OBSERVED_LANES) ? (int32_t)rest :
                 WARPOS_GPS_OBSERVED_LANES;
 
-            observed_gather(count, &x[first * x_step], x_step,
+            observed_gather(count, rest, &x[first * x_step], x_step,
                 &observer_attitude[first * observer_attitude_step], observer_attitude_step, &block);
             const warpos_gps_status_t outcome = observed_block(count, block.x,
                 block.observer_attitude, block.value, block.jacobian_nz, &status[first]);
 
             result = (outcome == WARPOS_GPS_OK) ? result : outcome;
-            lanes_to_rows(count, &status[first], block.value, 3, WARPOS_GPS_OBSERVED_LANES,
+            lanes_to_rows(count, rest, &status[first], block.value, 3, WARPOS_GPS_OBSERVED_LANES,
                 &value[3 * first]);
-            lanes_to_rows(count, &status[first], block.jacobian_nz, 9, WARPOS_GPS_OBSERVED_LANES,
-                &jacobian_nz[9 * first]);
+            lanes_to_rows(count, rest, &status[first], block.jacobian_nz, 9,
+                WARPOS_GPS_OBSERVED_LANES, &jacobian_nz[9 * first]);
         }
     }
     return result;

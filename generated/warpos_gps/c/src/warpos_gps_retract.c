@@ -271,14 +271,15 @@ typedef struct {
 /* Lay rows of epochs side by side. */
 static void retract_gather(
     int32_t count,
+    ptrdiff_t rest,
     const warpos_gps_real_t x[WARPOS_GPS_RESTRICT],
     ptrdiff_t x_step,
     const warpos_gps_real_t d[WARPOS_GPS_RESTRICT],
     ptrdiff_t d_step,
     retract_block_t *WARPOS_GPS_RESTRICT block)
 {
-    rows_to_lanes(count, x, x_step, 15, WARPOS_GPS_RETRACT_LANES, block->x);
-    rows_to_lanes(count, d, d_step, 15, WARPOS_GPS_RETRACT_LANES, block->d);
+    rows_to_lanes(count, rest, x, x_step, 15, WARPOS_GPS_RETRACT_LANES, block->x);
+    rows_to_lanes(count, rest, d, d_step, 15, WARPOS_GPS_RETRACT_LANES, block->d);
 }
 
 warpos_gps_status_t warpos_gps_retract_batch(
@@ -301,12 +302,13 @@ warpos_gps_status_t warpos_gps_retract_batch(
             const int32_t count = (rest < WARPOS_GPS_RETRACT_LANES) ? (int32_t)rest :
                 WARPOS_GPS_RETRACT_LANES;
 
-            retract_gather(count, &x[first * x_step], x_step, &d[first * d_step], d_step, &block);
+            retract_gather(count, rest, &x[first * x_step], x_step, &d[first * d_step], d_step,
+                &block);
             const warpos_gps_status_t outcome =
                 retract_block(count, block.x, block.d, block.value, &status[first]);
 
             result = (outcome == WARPOS_GPS_OK) ? result : outcome;
-            lanes_to_rows(count, &status[first], block.value, 15, WARPOS_GPS_RETRACT_LANES,
+            lanes_to_rows(count, rest, &status[first], block.value, 15, WARPOS_GPS_RETRACT_LANES,
                 &value[15 * first]);
         }
     }

@@ -335,6 +335,7 @@ typedef struct {
 /* Lay rows of epochs side by side. */
 static void to_state_frame_gather(
     int32_t count,
+    ptrdiff_t rest,
     const warpos_gps_real_t observer_attitude[WARPOS_GPS_RESTRICT],
     ptrdiff_t observer_attitude_step,
     const warpos_gps_real_t receiver_position[WARPOS_GPS_RESTRICT],
@@ -349,17 +350,17 @@ static void to_state_frame_gather(
     ptrdiff_t covariance_2_step,
     to_state_frame_block_t *WARPOS_GPS_RESTRICT block)
 {
-    rows_to_lanes(count, observer_attitude, observer_attitude_step, 4,
+    rows_to_lanes(count, rest, observer_attitude, observer_attitude_step, 4,
         WARPOS_GPS_TO_STATE_FRAME_LANES, block->observer_attitude);
-    rows_to_lanes(count, receiver_position, receiver_position_step, 3,
+    rows_to_lanes(count, rest, receiver_position, receiver_position_step, 3,
         WARPOS_GPS_TO_STATE_FRAME_LANES, block->receiver_position);
-    rows_to_lanes(count, origin_offset, origin_offset_step, 3, WARPOS_GPS_TO_STATE_FRAME_LANES,
-        block->origin_offset);
-    rows_to_lanes(count, attitude, attitude_step, 4, WARPOS_GPS_TO_STATE_FRAME_LANES,
+    rows_to_lanes(count, rest, origin_offset, origin_offset_step, 3,
+        WARPOS_GPS_TO_STATE_FRAME_LANES, block->origin_offset);
+    rows_to_lanes(count, rest, attitude, attitude_step, 4, WARPOS_GPS_TO_STATE_FRAME_LANES,
         block->attitude);
-    rows_to_lanes(count, lever_arm, lever_arm_step, 3, WARPOS_GPS_TO_STATE_FRAME_LANES,
+    rows_to_lanes(count, rest, lever_arm, lever_arm_step, 3, WARPOS_GPS_TO_STATE_FRAME_LANES,
         block->lever_arm);
-    rows_to_lanes(count, covariance_2, covariance_2_step, 9, WARPOS_GPS_TO_STATE_FRAME_LANES,
+    rows_to_lanes(count, rest, covariance_2, covariance_2_step, 9, WARPOS_GPS_TO_STATE_FRAME_LANES,
         block->covariance_2);
 }
 
@@ -394,7 +395,7 @@ warpos_gps_status_t warpos_gps_to_state_frame_batch(
             const int32_t count = (rest < WARPOS_GPS_TO_STATE_FRAME_LANES) ? (int32_t)rest :
                 WARPOS_GPS_TO_STATE_FRAME_LANES;
 
-            to_state_frame_gather(count, &observer_attitude[first * observer_attitude_step],
+            to_state_frame_gather(count, rest, &observer_attitude[first * observer_attitude_step],
                 observer_attitude_step, &receiver_position[first * receiver_position_step],
                 receiver_position_step, &origin_offset[first * origin_offset_step],
                 origin_offset_step, &attitude[first * attitude_step], attitude_step,
@@ -405,9 +406,9 @@ warpos_gps_status_t warpos_gps_to_state_frame_batch(
                 block.covariance_2, block.value, block.value_covariance, &status[first]);
 
             result = (outcome == WARPOS_GPS_OK) ? result : outcome;
-            lanes_to_rows(count, &status[first], block.value, 3, WARPOS_GPS_TO_STATE_FRAME_LANES,
-                &value[3 * first]);
-            lanes_to_rows(count, &status[first], block.value_covariance, 9,
+            lanes_to_rows(count, rest, &status[first], block.value, 3,
+                WARPOS_GPS_TO_STATE_FRAME_LANES, &value[3 * first]);
+            lanes_to_rows(count, rest, &status[first], block.value_covariance, 9,
                 WARPOS_GPS_TO_STATE_FRAME_LANES, &value_covariance[9 * first]);
         }
     }
