@@ -363,7 +363,8 @@ def targets(
             )
         if not array.flags.writeable:
             raise ValueError(f"out: {name} is read-only")
-        if not array.flags.c_contiguous:
+        columns = part is Part.NONZEROS and output.item and extent.items is not None
+        if not (array.flags.c_contiguous or (columns and array.mT.flags.c_contiguous)):
             raise ValueError(f"out: {name} must be contiguous in memory, row by row")
         if not array.flags.aligned:
             raise ValueError(f"out: {name} must be aligned in memory")

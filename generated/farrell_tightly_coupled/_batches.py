@@ -54,16 +54,20 @@ class BatchFunction(Function):
         self, part: Part, state: Sequence[Any], inputs: Mapping[str, Any], out: Any = None
     ) -> Any:
         """The same for the non-zeros alone; those of items lie in columns."""
-        found = None
-        if part is Part.NONZEROS and out is None and self._sparse_rows is not None:
-            found = self._sparse_rows.evaluate(state, inputs, None)
-        if found is None:
+        straight = self._sparse_rows if part is Part.NONZEROS else None
+        found = None if straight is None else straight.evaluate(state, inputs, out)
+        if straight is None or found is None:
             return super().select(part, state, inputs, out)
-        arrays = [a for a, o in zip(found[0], self.signature.outputs, strict=True) if o.jacobian]
-        if self.signature.mapped:
-            pairs = zip(arrays, self.signature.jacobians, strict=True)
-            arrays = [np.swapaxes(a, -1, -2) if o.item else a for a, o in pairs]
+        arrays = list(straight.given(out)) if out is not None else self._as_called(found[0])
         return arrays[0] if len(arrays) == 1 else tuple(arrays)
+
+    def _as_called(self, stored: Sequence[Array]) -> list[Array]:
+        """The non-zeros among what the C has stored, with the items in front."""
+        pairs = zip(stored, self.signature.outputs, strict=True)
+        jacobians = [(array, output) for array, output in pairs if output.jacobian]
+        if not self.signature.mapped:
+            return [array for array, _ in jacobians]
+        return [np.swapaxes(a, -1, -2) if o.item else a for a, o in jacobians]
 
     def _bound_batch(
         self, arrays: Sequence[Array], extent: Extent, out: list[Array]

@@ -12,6 +12,7 @@ from ._extension import UNFIT, Library
 from ._runtime import Array, Output, Part, Signature, Status
 
 _BYTE = np.dtype(np.uint8)
+_Axes = tuple[tuple[int, ...], bool, tuple[int, ...]]
 
 
 class Straight:
@@ -28,7 +29,9 @@ class Straight:
         self._counter = next(((k, -a.rank) for k, a in enumerate(arguments) if a.item), None)
         stored = [o for o in signature.outputs if o.places or not (nonzeros and o.jacobian)]
         self._axes = [_axes(output, part, signature.mapped) for output in stored]
-        self._fields = len(signature.outputs), len(signature.outputs) + 1 + signature.mapped
+        self._wanted = [output.jacobian or not nonzeros for output in stored]
+        wanted = sum(self._wanted)
+        self._fields = wanted, wanted if nonzeros else wanted + 1 + signature.mapped
 
     def evaluate(
         self, state: Sequence[Any], inputs: Mapping[str, Any], out: Any
@@ -42,7 +45,7 @@ class Straight:
             if first.ndim != self._rank:
                 return None
             epochs, items = len(first), self._items(given)
-            made = self._made(epochs, items) if out is None else outputs(out, *self._fields)
+            made = self._stored(epochs, items, out)
         except (AttributeError, LookupError, TypeError, ValueError):
             return None
         status = np.empty(epochs, _BYTE)
@@ -57,6 +60,14 @@ class Straight:
         if done and out is None:
             void(made, status)
         return made, statuses
+
+    def given(self, out: Any) -> Sequence[Array]:
+        """The arrays given as ``out``, in order.
+
+        Raises:
+            LookupError, TypeError, ValueError: for what has to be looked at more closely.
+        """
+        return outputs(out, *self._fields)
 
     def _shared(self, memory: tuple[Any, ...], epochs: int) -> int:
         """The same by several threads; what one of them cannot read, none can."""
@@ -82,18 +93,33 @@ class Straight:
             raise ValueError("items")
         return items
 
-    def _made(self, epochs: int, items: int | None) -> list[Array]:
-        """New arrays for what the C stores."""
-        real = self._real
-        if items is None:
-            return [np.empty((epochs, *front), real) for front, _, _ in self._axes]
+    def _stored(self, epochs: int, items: int | None, out: Any) -> Sequence[Array]:
+        """What the C stores to: given arrays, and new ones for the rest."""
+        if out is None:
+            return [self._new(axes, epochs, items) for axes in self._axes]
+        given = self.given(out)
+        if len(given) == len(self._axes) and items is None:
+            return given
+        rest = iter(given)
+        pairs = zip(self._axes, self._wanted, strict=True)
         return [
-            np.empty((epochs, *front, items, *back) if item else (epochs, *front), real)
-            for front, item, back in self._axes
+            _as_stored(next(rest), axes) if wanted else self._new(axes, epochs, items)
+            for axes, wanted in pairs
         ]
 
+    def _new(self, axes: _Axes, epochs: int, items: int | None) -> Array:
+        front, item, back = axes
+        own = (*front, items, *back) if item else front
+        return np.empty((epochs, *own), self._real)
 
-def _axes(output: Output, part: Part, mapped: bool) -> tuple[tuple[int, ...], bool, Any]:
+
+def _as_stored(array: Array, axes: _Axes) -> Array:
+    """An array as it is stored: the items of non-zeros are in front of them for a caller."""
+    front, item, _ = axes
+    return np.swapaxes(array, -1, -2) if item and front else array
+
+
+def _axes(output: Output, part: Part, mapped: bool) -> _Axes:
     """Axes of one epoch in front of that of items, whether there is one, and those behind it."""
     nonzeros = part is Part.NONZEROS and output.jacobian
     own = (len(output.places),) if nonzeros else output.shape

@@ -66,6 +66,33 @@ def test_parts_fill_given_arrays(functions: ModuleType, rng: np.random.Generator
         assert out == pytest.approx(called(call, given), rel=1e-15)
 
 
+@pytest.mark.parametrize("batch", [(), (3,), (2, 2)], ids=str)
+@pytest.mark.parametrize("order", ["as given", "by row"])
+def test_nonzeros_of_items_fill_what_an_earlier_call_gave(
+    functions: ModuleType, rng: np.random.Generator, batch: tuple[int, ...], order: str
+) -> None:
+    """Compiled code leaves them in columns; rows do as well."""
+    call = functions.ranges.nonzeros
+    earlier, given = (packages.arguments(FUNCTIONS["ranges"], rng, *batch) for _ in range(2))
+    out = called(call, earlier)
+    if order == "by row":
+        out = np.ascontiguousarray(out)
+    assert called(call, given, out=out) is out
+    assert out == pytest.approx(called(call, given), rel=1e-13)
+
+
+def test_failed_items_of_given_nonzeros(functions: ModuleType, rng: np.random.Generator) -> None:
+    """Zeros for an item that fails, nothing for an epoch that does."""
+    given = packages.arguments(FUNCTIONS["ranges"], rng, 3)
+    out = called(functions.ranges.nonzeros, given)
+    out[...] = 777.0
+    given["satellite"][0, 3] = np.inf
+    given["x"][1, 0] = np.nan
+    called(functions.ranges.nonzeros, given, out=out)
+    assert (out[0, 3] == 0.0).all() and (out[1] == 777.0).all()
+    assert (out[2] != 777.0).all() and (np.delete(out[0], 3, axis=0) != 777.0).all()
+
+
 def test_failed_epochs_leave_given_arrays_alone(
     functions: ModuleType, rng: np.random.Generator
 ) -> None:
