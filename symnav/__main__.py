@@ -1,5 +1,5 @@
 """Runs the command line: ``python -m symnav``."""
 
-from symnav.cli import main
+from symnav.cli import run
 
-main(prog_name="symnav")
+run()

@@ -83,6 +83,8 @@ class _Trial:
 
     def atom(self, name: str, expression: sp.Expr) -> sp.Expr:
         """The expression itself when it is as good as a symbol, otherwise its name."""
+        if expression.is_Symbol or expression.is_Number:
+            return expression
         if _is_atomic(expression) and not (self.names_multiples and is_multiple(expression)):
             return expression
         if expression in self._known:

@@ -304,10 +304,13 @@ def transpose(matrix: Matrix) -> Matrix:
 def product(left: Matrix, right: Matrix) -> Matrix:
     """Matrix product of rows of expressions."""
     columns = transpose(right)
-    return tuple(
-        tuple(sp.Add(*(a * b for a, b in zip(row, column, strict=True))) for column in columns)
-        for row in left
-    )
+    return tuple(tuple(_dot(row, column) for column in columns) for row in left)
+
+
+def _dot(row: Sequence[sp.Expr], column: Sequence[sp.Expr]) -> sp.Expr:
+    """Sum of products; SymPy takes its time to multiply by zero and by one."""
+    pairs = [(a, b) for a, b in zip(row, column, strict=True) if a is not ZERO and b is not ZERO]
+    return sp.Add(*(b if a is sp.S.One else a if b is sp.S.One else a * b for a, b in pairs))
 
 
 def _first_free(name: str, taken: set[str]) -> str:

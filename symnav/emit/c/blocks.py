@@ -89,7 +89,8 @@ class Blocks:
         """Functions that load side by side, copy what was checked, and store values in full."""
         inputs = self.kernel.inputs.lanes
         loaders = [inputs.loader(item=False)] if inputs.checked else []
-        copiers = [inputs.copier()] if self._copies and inputs.copied_arguments else []
+        copies = self._copies and inputs.copied_arguments(item=False)
+        copiers = [inputs.copier(item=False)] if copies else []
         spreads = [store.spreading() for store in self._value_stores() if not store.complete]
         return [*loaders, *copiers, *spreads]
 
@@ -230,7 +231,8 @@ class Blocks:
     def _read(self) -> list[str]:
         """Arguments the evaluation reads."""
         inputs = self.kernel.inputs
-        return [a.name for a in inputs.copied_arguments] if self._copies else self._names
+        copied = [a.name for a in inputs.copied_arguments(item=False)]
+        return copied if self._copies else self._names
 
     def _evaluate(self) -> dict[str, object]:
         """Results of the lanes of a block that were checked."""

@@ -47,17 +47,17 @@ class Columns(ItemLoops):
             if parameter.direction == "out"
             and parameter.name.removesuffix("_nz") in {store.output.name for store in stores}
         ]
-        codes = [f"flag_t codes[{kernel.target.macro}_RESTRICT]"] if self.fallible else []
+        codes = [f"flag_t codes[{kernel.target.macro}_RESTRICT]"] if self.skips else []
         name = f"{kernel.local}_columns"
-        result = "flag_t" if self.fallible else "void"
-        kept = "const flag_t failed = " if self.skips else "(void)" if self.fallible else ""
+        result = "flag_t" if self.skips else "void"
+        kept = "const flag_t failed = " if self.skips else ""
         passed = [
             *(["stride"] if self.strided else []),
             *self.context(address=True),
             "n",
             *(argument.name for argument in self.item_arguments),
             *(column_name(store.output) for store in stores),
-            *(["codes"] if self.fallible else []),
+            *(["codes"] if self.skips else []),
         ]
         return {
             "head": entry.prototype(f"{kernel.target.macro}_WIDE {kernel.target.status}"),
@@ -68,7 +68,7 @@ class Columns(ItemLoops):
                 [*parameters, *codes],
                 before=stride,
             ),
-            **self.evaluation("i"),
+            **self.evaluation("i", passed=self.rejects),
             "stores": self.statements((self._column_store(s) for s in stores), 2),
             "sparse_head": head(
                 f"{kernel.target.macro}_INLINE {kernel.target.status}",

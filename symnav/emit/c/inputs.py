@@ -27,6 +27,10 @@ from symnav.emit.c.target import Target
 INPUT_POINTER = "in"
 ITEM_POINTER = "item"
 
+_PROVEN = (
+    "#ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */"
+)
+
 
 @dataclass(frozen=True)
 class Inputs:
@@ -171,27 +175,40 @@ class Inputs:
             return "Check and copy"
         return "Check" if self.checked else "Point at"
 
-    def copier(self) -> Routine:
-        """The function that copies the inputs of one call that were checked before."""
-        struct = self.struct(item=False)
-        declarations = [self.declaration(argument) for argument in self.copied_arguments]
-        declarations += ["int32_t stride"] if self.copy_stride else []
-        declarations += [f"{struct.name} *{INPUT_POINTER}"]
-        lines = [
-            line
-            for element in self._copied(item=False)
-            for line in comments.code(f"{self.place(element.load)} = {self._source(element)};")
-        ]
+    def copier(self, *, item: bool) -> Routine:
+        """The function that copies inputs that were checked before."""
+        struct = self.struct(item=item)
+        pointer = ITEM_POINTER if item else INPUT_POINTER
+        strided = self.copy_stride and not item
+        declarations = [self.declaration(argument) for argument in self.copied_arguments(item=item)]
+        declarations += ["int32_t stride"] if strided else []
+        declarations += [f"{struct.name} *{pointer}"]
+        copies: list[str] = []
+        proven: list[str] = []
+        for element in self._copied(item=item):
+            source, copy = self._source(element), self.place(element.load)
+            plain = comments.code(f"{copy} = {source};")
+            limits = limits_of(element, self.target)
+            again = comments.code(f"(void){limits.take}({source}, {limits.text}, &{copy});")
+            copies += plain
+            proven += again if self._is_flagged(element.argument) else plain
         return Routine(
-            brief="Copy the inputs of one call that has passed its checks.",
-            head=head(f"{self.target.macro}_INLINE void", f"{self.name}_copy", declarations),
-            body=tuple(lines),
+            brief=f"Copy the inputs of {self._scope(item)} that have passed their checks.",
+            head=head(
+                f"{self.target.macro}_INLINE void", self.copier_name(item=item), declarations
+            ),
+            body=tuple(
+                copies if proven == copies else [_PROVEN, *proven, "#else", *copies, "#endif"]
+            ),
         )
 
-    @property
-    def copied_arguments(self) -> list[ir.Argument]:
-        """Arguments of one call of which some element is copied."""
-        copied = {element.argument.name for element in self._copied(item=False)}
+    def copier_name(self, *, item: bool) -> str:
+        """Name of that function."""
+        return f"{self.name}_copy{'_item' if item else ''}"
+
+    def copied_arguments(self, *, item: bool) -> list[ir.Argument]:
+        """Arguments of one call, or of one item, of which some element is copied."""
+        copied = {element.argument.name for element in self._copied(item=item)}
         return [argument for argument in self.arguments if argument.name in copied]
 
     @property

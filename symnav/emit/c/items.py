@@ -106,25 +106,51 @@ class ItemLoops:
             declarations.append(f"const {kind} {argument.name}[{restrict}]")
         return head(result, name, [*before, *declarations, *last])
 
-    def evaluation(self, place: str) -> dict[str, object]:
-        """Locals and calls for one item in a loop."""
+    @property
+    def copies(self) -> bool:
+        """True when items are copied in a second pass, after all of them have been checked."""
+        return self.rejects and self.kernel.inputs.can_fail(item=True)
+
+    def evaluation(self, place: str, *, passed: bool = False) -> dict[str, object]:
+        """Locals and calls for one item in a loop.
+
+        Args:
+            place: which item.
+            passed: True where every item has passed its checks.
+        """
         kernel = self.kernel
         item = kernel.inputs.struct(item=True)
         copy = [f"&{ITEM_POINTER}"] if item else []
         read = copy if kernel.item_reads_item else []
-        load = call(f"{kernel.local}_load_item", [*self.items_from(place), *copy])
+        load = f"{self._loaded}{self._load(place, copy)}"
+        if passed and self.copies:
+            load = self._copy(place, copy) if item else ""
         evaluate = call(
             f"{kernel.local}_item",
             [*self.context(address=False), *read, f"&{OUTPUT_POINTER}"],
         )
+        verdict = "(void)" if passed else self.kept("evaluated")
         return {
             "locals": [
                 *([f"{item.name} {ITEM_POINTER};"] if item else []),
                 f"{kernel.output_struct.name} {OUTPUT_POINTER};",
             ],
-            "load": comments.code(f"{self._loaded}{load};", depth=2),
-            "evaluate": comments.code(f"{self.kept('evaluated')}{evaluate};", depth=2),
+            "load": comments.code(f"{load};", depth=2) if load else [],
+            "evaluate": comments.code(f"{verdict}{evaluate};", depth=2),
         }
+
+    def _load(self, place: str, copy: Sequence[str]) -> str:
+        """Call that checks and copies the inputs of an item."""
+        name = self.kernel.inputs.loader_name(item=True)
+        return call(name, [*self.items_from(place), *copy])
+
+    def _copy(self, place: str, copy: Sequence[str]) -> str:
+        """Call that copies them where they have passed."""
+        inputs = self.kernel.inputs
+        copied = {argument.name for argument in inputs.copied_arguments(item=True)}
+        pairs = zip(self.item_arguments, self.items_from(place), strict=True)
+        given = [text for argument, text in pairs if argument.name in copied]
+        return call(inputs.copier_name(item=True), [*given, *copy])
 
     @property
     def verdict(self) -> str:

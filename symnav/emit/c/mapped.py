@@ -187,7 +187,7 @@ class Mapped(ItemLoops):
             Field("int32_t", kernel.inputs.table[slot].field, self.lanes_macro)
             for slot in self._item_slots
         ]
-        if self.fallible:
+        if self.skips:
             fields.append(Field("flag_t", "status", self.lanes_macro))
         brief = "Non-zeros of a block of items, each stored contiguously across the items."
         return Struct(f"{kernel.local}_block_t", brief, tuple(fields))
@@ -207,7 +207,8 @@ class Mapped(ItemLoops):
             for use in uses
             for store in stores_of(kernel, self._per_item(function.outputs), use)
         }
-        return [*puts, *fills.values(), *(clears.values() if self.skips else ())]
+        copiers = [kernel.inputs.copier(item=True)] if self.copies else []
+        return [*copiers, *puts, *fills.values(), *(clears.values() if self.skips else ())]
 
     def _lanes(self, suffix: str, outputs: Sequence[ir.Output]) -> dict[str, object]:
         kernel = self.kernel
@@ -235,13 +236,13 @@ class Mapped(ItemLoops):
             "head": self.loop_head(
                 f"{kernel.local}_lanes{suffix}", f"static {kernel.target.macro}_WIDE void", [block]
             ),
-            **self.evaluation("lane"),
+            **self.evaluation("lane", passed=self.rejects),
             "puts": self.statements(puts, 2),
         }
 
     def _check(self) -> dict[str, object]:
         status = f"uint8_t item_status[{self.kernel.target.macro}_RESTRICT]"
-        result = f"static {self.kernel.target.status}"
+        result = f"{self.kernel.target.macro}_INLINE {self.kernel.target.status}"
         name = f"{self.kernel.local}_check_items"
         return {"head": self.loop_head(name, result, [status]), **self.evaluation("i")}
 

@@ -98,7 +98,8 @@ _ASSUMPTIONS = (
     "every float and against samples of doubles.",
     "Pointers that are not null point to arrays as large as the header says, which do not overlap.",
     "Under __FRAMAC__ a range check also compares the value with itself: by IEEE 754 a NaN fails "
-    "the comparisons already, which Eva 25 does not conclude.",
+    "the comparisons already, which Eva 25 does not conclude. What is copied after it has passed "
+    "its checks is selected there once more, by the same comparisons of the same numbers.",
     "Items: every count from 0 to the maximum. Single differences: counts and references that the "
     "driver lists. Many epochs: as many as the driver lists, with inputs apart and the same.",
 )

@@ -89,7 +89,7 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t gps_known_antenna_load_lane(
         ((ekf_cal_gps_flag_t)EKF_CAL_GPS_QNORM * (skewed & ~outside));
 }
 
-/* Copy the inputs of one call that has passed its checks. */
+/* Copy the inputs of one epoch beside others that have passed their checks. */
 EKF_CAL_GPS_INLINE void gps_known_antenna_copy(
     const ekf_cal_gps_real_t x[],
     const ekf_cal_gps_real_t lever_arm[],
@@ -97,6 +97,21 @@ EKF_CAL_GPS_INLINE void gps_known_antenna_copy(
     int32_t stride,
     gps_known_antenna_input_t *in)
 {
+#ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
+    (void)take_centred(x[0], 1000000.0, &in->position_x);
+    (void)take_centred(x[stride], 1000000.0, &in->position_y);
+    (void)take_centred(x[2 * stride], 1000000.0, &in->position_z);
+    (void)take_centred(x[9 * stride], 1.00001, &in->attitude_w);
+    (void)take_centred(x[10 * stride], 1.00001, &in->attitude_x);
+    (void)take_centred(x[11 * stride], 1.00001, &in->attitude_y);
+    (void)take_centred(x[12 * stride], 1.00001, &in->attitude_z);
+    (void)take_centred(lever_arm[0], 100.0, &in->lever_arm_x);
+    (void)take_centred(lever_arm[stride], 100.0, &in->lever_arm_y);
+    (void)take_centred(lever_arm[2 * stride], 100.0, &in->lever_arm_z);
+    (void)take_centred(measured[0], 1000000000.0, &in->measured_x);
+    (void)take_centred(measured[stride], 1000000000.0, &in->measured_y);
+    (void)take_centred(measured[2 * stride], 1000000000.0, &in->measured_z);
+#else
     in->position_x = x[0];
     in->position_y = x[stride];
     in->position_z = x[2 * stride];
@@ -110,6 +125,7 @@ EKF_CAL_GPS_INLINE void gps_known_antenna_copy(
     in->measured_x = measured[0];
     in->measured_y = measured[stride];
     in->measured_z = measured[2 * stride];
+#endif
 }
 
 /* Store value in full, structural zeros included. */

@@ -92,7 +92,7 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t local_fix_load_lane(
     return (ekf_cal_gps_flag_t)EKF_CAL_GPS_RANGE * outside;
 }
 
-/* Copy the inputs of one call that has passed its checks. */
+/* Copy the inputs of one epoch beside others that have passed their checks. */
 EKF_CAL_GPS_INLINE void local_fix_copy(
     const ekf_cal_gps_real_t heading[],
     const ekf_cal_gps_real_t fix[],
@@ -101,6 +101,24 @@ EKF_CAL_GPS_INLINE void local_fix_copy(
     int32_t stride,
     local_fix_input_t *in)
 {
+#ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
+    (void)take_centred(heading[0], 3.1416, &in->heading);
+    (void)take_centred(fix[0], 1.5690509975429023, &in->fix_latitude);
+    (void)take_centred(fix[stride], 3.1416, &in->fix_longitude);
+    (void)take_value(fix[2 * stride], -10000.0, 10000000.0, &in->fix_height);
+    (void)take_centred(reference_2[0], 1.5690509975429023, &in->reference_2_latitude);
+    (void)take_centred(reference_2[stride], 3.1416, &in->reference_2_longitude);
+    (void)take_value(reference_2[2 * stride], -10000.0, 10000000.0, &in->reference_2_height);
+    (void)take_centred(covariance_2[0], 1000000000000.0, &in->covariance_2_0);
+    (void)take_centred(covariance_2[stride], 1000000000000.0, &in->covariance_2_1);
+    (void)take_centred(covariance_2[2 * stride], 1000000000000.0, &in->covariance_2_2);
+    (void)take_centred(covariance_2[3 * stride], 1000000000000.0, &in->covariance_2_3);
+    (void)take_centred(covariance_2[4 * stride], 1000000000000.0, &in->covariance_2_4);
+    (void)take_centred(covariance_2[5 * stride], 1000000000000.0, &in->covariance_2_5);
+    (void)take_centred(covariance_2[6 * stride], 1000000000000.0, &in->covariance_2_6);
+    (void)take_centred(covariance_2[7 * stride], 1000000000000.0, &in->covariance_2_7);
+    (void)take_centred(covariance_2[8 * stride], 1000000000000.0, &in->covariance_2_8);
+#else
     in->heading = heading[0];
     in->fix_latitude = fix[0];
     in->fix_longitude = fix[stride];
@@ -117,6 +135,7 @@ EKF_CAL_GPS_INLINE void local_fix_copy(
     in->covariance_2_6 = covariance_2[6 * stride];
     in->covariance_2_7 = covariance_2[7 * stride];
     in->covariance_2_8 = covariance_2[8 * stride];
+#endif
 }
 
 /* Store value in full, structural zeros included. */

@@ -126,13 +126,58 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t retract_load_lane(
         ((ekf_cal_gps_flag_t)EKF_CAL_GPS_QNORM * (skewed & ~outside));
 }
 
-/* Copy the inputs of one call that has passed its checks. */
+/* Copy the inputs of one epoch beside others that have passed their checks. */
 EKF_CAL_GPS_INLINE void retract_copy(
     const ekf_cal_gps_real_t x[],
     const ekf_cal_gps_real_t d[],
     int32_t stride,
     retract_input_t *in)
 {
+#ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
+    (void)take_centred(x[0], 1000000.0, &in->position_x);
+    (void)take_centred(x[stride], 1000000.0, &in->position_y);
+    (void)take_centred(x[2 * stride], 1000000.0, &in->position_z);
+    (void)take_centred(x[3 * stride], 1000000000.0, &in->velocity_x);
+    (void)take_centred(x[4 * stride], 1000000000.0, &in->velocity_y);
+    (void)take_centred(x[5 * stride], 1000000000.0, &in->velocity_z);
+    (void)take_centred(x[6 * stride], 1000000000.0, &in->acceleration_x);
+    (void)take_centred(x[7 * stride], 1000000000.0, &in->acceleration_y);
+    (void)take_centred(x[8 * stride], 1000000000.0, &in->acceleration_z);
+    (void)take_centred(x[9 * stride], 1.00001, &in->attitude_w);
+    (void)take_centred(x[10 * stride], 1.00001, &in->attitude_x);
+    (void)take_centred(x[11 * stride], 1.00001, &in->attitude_y);
+    (void)take_centred(x[12 * stride], 1.00001, &in->attitude_z);
+    (void)take_centred(x[13 * stride], 1000000000.0, &in->angular_rate_x);
+    (void)take_centred(x[14 * stride], 1000000000.0, &in->angular_rate_y);
+    (void)take_centred(x[15 * stride], 1000000000.0, &in->angular_rate_z);
+    (void)take_centred(x[16 * stride], 1000000000.0, &in->angular_acceleration_x);
+    (void)take_centred(x[17 * stride], 1000000000.0, &in->angular_acceleration_y);
+    (void)take_centred(x[18 * stride], 1000000000.0, &in->angular_acceleration_z);
+    (void)take_centred(x[19 * stride], 50.0, &in->antenna_x);
+    (void)take_centred(x[20 * stride], 50.0, &in->antenna_y);
+    (void)take_centred(x[21 * stride], 50.0, &in->antenna_z);
+    (void)take_centred(d[0], 1000000000.0, &in->d_position_x);
+    (void)take_centred(d[stride], 1000000000.0, &in->d_position_y);
+    (void)take_centred(d[2 * stride], 1000000000.0, &in->d_position_z);
+    (void)take_centred(d[3 * stride], 1000000000.0, &in->d_velocity_x);
+    (void)take_centred(d[4 * stride], 1000000000.0, &in->d_velocity_y);
+    (void)take_centred(d[5 * stride], 1000000000.0, &in->d_velocity_z);
+    (void)take_centred(d[6 * stride], 1000000000.0, &in->d_acceleration_x);
+    (void)take_centred(d[7 * stride], 1000000000.0, &in->d_acceleration_y);
+    (void)take_centred(d[8 * stride], 1000000000.0, &in->d_acceleration_z);
+    (void)take_centred(d[9 * stride], 6.0, &in->d_attitude_x);
+    (void)take_centred(d[10 * stride], 6.0, &in->d_attitude_y);
+    (void)take_centred(d[11 * stride], 6.0, &in->d_attitude_z);
+    (void)take_centred(d[12 * stride], 1000000000.0, &in->d_angular_rate_x);
+    (void)take_centred(d[13 * stride], 1000000000.0, &in->d_angular_rate_y);
+    (void)take_centred(d[14 * stride], 1000000000.0, &in->d_angular_rate_z);
+    (void)take_centred(d[15 * stride], 1000000000.0, &in->d_angular_acceleration_x);
+    (void)take_centred(d[16 * stride], 1000000000.0, &in->d_angular_acceleration_y);
+    (void)take_centred(d[17 * stride], 1000000000.0, &in->d_angular_acceleration_z);
+    (void)take_centred(d[18 * stride], 1000000000.0, &in->d_antenna_x);
+    (void)take_centred(d[19 * stride], 1000000000.0, &in->d_antenna_y);
+    (void)take_centred(d[20 * stride], 1000000000.0, &in->d_antenna_z);
+#else
     in->position_x = x[0];
     in->position_y = x[stride];
     in->position_z = x[2 * stride];
@@ -176,6 +221,7 @@ EKF_CAL_GPS_INLINE void retract_copy(
     in->d_antenna_x = d[18 * stride];
     in->d_antenna_y = d[19 * stride];
     in->d_antenna_z = d[20 * stride];
+#endif
 }
 
 /* Store value in full, structural zeros included. */

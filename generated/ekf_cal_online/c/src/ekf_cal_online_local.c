@@ -148,13 +148,67 @@ EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t local_load_lane(
         ((ekf_cal_online_flag_t)EKF_CAL_ONLINE_QNORM * (skewed & ~outside));
 }
 
-/* Copy the inputs of one call that has passed its checks. */
+/* Copy the inputs of one epoch beside others that have passed their checks. */
 EKF_CAL_ONLINE_INLINE void local_copy(
     const ekf_cal_online_real_t x[],
     const ekf_cal_online_real_t y[],
     int32_t stride,
     local_input_t *in)
 {
+#ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
+    (void)take_centred(x[0], 1000000.0, &in->position_x);
+    (void)take_centred(x[stride], 1000000.0, &in->position_y);
+    (void)take_centred(x[2 * stride], 1000000.0, &in->position_z);
+    (void)take_centred(x[3 * stride], 1000000000.0, &in->velocity_x);
+    (void)take_centred(x[4 * stride], 1000000000.0, &in->velocity_y);
+    (void)take_centred(x[5 * stride], 1000000000.0, &in->velocity_z);
+    (void)take_centred(x[6 * stride], 1000000000.0, &in->acceleration_x);
+    (void)take_centred(x[7 * stride], 1000000000.0, &in->acceleration_y);
+    (void)take_centred(x[8 * stride], 1000000000.0, &in->acceleration_z);
+    (void)take_centred(x[9 * stride], 1.00001, &in->attitude_w);
+    (void)take_centred(x[10 * stride], 1.00001, &in->attitude_x);
+    (void)take_centred(x[11 * stride], 1.00001, &in->attitude_y);
+    (void)take_centred(x[12 * stride], 1.00001, &in->attitude_z);
+    (void)take_centred(x[13 * stride], 1000000000.0, &in->angular_rate_x);
+    (void)take_centred(x[14 * stride], 1000000000.0, &in->angular_rate_y);
+    (void)take_centred(x[15 * stride], 1000000000.0, &in->angular_rate_z);
+    (void)take_centred(x[16 * stride], 1000000000.0, &in->angular_acceleration_x);
+    (void)take_centred(x[17 * stride], 1000000000.0, &in->angular_acceleration_y);
+    (void)take_centred(x[18 * stride], 1000000000.0, &in->angular_acceleration_z);
+    (void)take_centred(x[19 * stride], 3.1416, &in->heading);
+    (void)take_centred(x[20 * stride], 50.0, &in->antenna_1_x);
+    (void)take_centred(x[21 * stride], 50.0, &in->antenna_1_y);
+    (void)take_centred(x[22 * stride], 50.0, &in->antenna_1_z);
+    (void)take_centred(x[23 * stride], 50.0, &in->antenna_2_x);
+    (void)take_centred(x[24 * stride], 50.0, &in->antenna_2_y);
+    (void)take_centred(x[25 * stride], 50.0, &in->antenna_2_z);
+    (void)take_centred(y[0], 1000000.0, &in->y_position_x);
+    (void)take_centred(y[stride], 1000000.0, &in->y_position_y);
+    (void)take_centred(y[2 * stride], 1000000.0, &in->y_position_z);
+    (void)take_centred(y[3 * stride], 1000000000.0, &in->y_velocity_x);
+    (void)take_centred(y[4 * stride], 1000000000.0, &in->y_velocity_y);
+    (void)take_centred(y[5 * stride], 1000000000.0, &in->y_velocity_z);
+    (void)take_centred(y[6 * stride], 1000000000.0, &in->y_acceleration_x);
+    (void)take_centred(y[7 * stride], 1000000000.0, &in->y_acceleration_y);
+    (void)take_centred(y[8 * stride], 1000000000.0, &in->y_acceleration_z);
+    (void)take_centred(y[9 * stride], 1.00001, &in->y_attitude_w);
+    (void)take_centred(y[10 * stride], 1.00001, &in->y_attitude_x);
+    (void)take_centred(y[11 * stride], 1.00001, &in->y_attitude_y);
+    (void)take_centred(y[12 * stride], 1.00001, &in->y_attitude_z);
+    (void)take_centred(y[13 * stride], 1000000000.0, &in->y_angular_rate_x);
+    (void)take_centred(y[14 * stride], 1000000000.0, &in->y_angular_rate_y);
+    (void)take_centred(y[15 * stride], 1000000000.0, &in->y_angular_rate_z);
+    (void)take_centred(y[16 * stride], 1000000000.0, &in->y_angular_acceleration_x);
+    (void)take_centred(y[17 * stride], 1000000000.0, &in->y_angular_acceleration_y);
+    (void)take_centred(y[18 * stride], 1000000000.0, &in->y_angular_acceleration_z);
+    (void)take_centred(y[19 * stride], 3.1416, &in->y_heading);
+    (void)take_centred(y[20 * stride], 50.0, &in->y_antenna_1_x);
+    (void)take_centred(y[21 * stride], 50.0, &in->y_antenna_1_y);
+    (void)take_centred(y[22 * stride], 50.0, &in->y_antenna_1_z);
+    (void)take_centred(y[23 * stride], 50.0, &in->y_antenna_2_x);
+    (void)take_centred(y[24 * stride], 50.0, &in->y_antenna_2_y);
+    (void)take_centred(y[25 * stride], 50.0, &in->y_antenna_2_z);
+#else
     in->position_x = x[0];
     in->position_y = x[stride];
     in->position_z = x[2 * stride];
@@ -207,6 +261,7 @@ EKF_CAL_ONLINE_INLINE void local_copy(
     in->y_antenna_2_x = y[23 * stride];
     in->y_antenna_2_y = y[24 * stride];
     in->y_antenna_2_z = y[25 * stride];
+#endif
 }
 
 /* Store value in full, structural zeros included. */

@@ -113,13 +113,50 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t retract_load_lane(
         ((farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_QNORM * (skewed & ~outside));
 }
 
-/* Copy the inputs of one call that has passed its checks. */
+/* Copy the inputs of one epoch beside others that have passed their checks. */
 FARRELL_TIGHTLY_COUPLED_INLINE void retract_copy(
     const farrell_tightly_coupled_real_t x[],
     const farrell_tightly_coupled_real_t d[],
     int32_t stride,
     retract_input_t *in)
 {
+#ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
+    (void)take_centred(x[0], 1000000.0, &in->dp_x);
+    (void)take_centred(x[stride], 1000000.0, &in->dp_y);
+    (void)take_centred(x[2 * stride], 1000000.0, &in->dp_z);
+    (void)take_centred(x[3 * stride], 100000000.0, &in->b_u);
+    (void)take_centred(x[4 * stride], 1000000000.0, &in->dv_x);
+    (void)take_centred(x[5 * stride], 1000000000.0, &in->dv_y);
+    (void)take_centred(x[6 * stride], 1000000000.0, &in->dv_z);
+    (void)take_centred(x[7 * stride], 1000000000.0, &in->b_u_dot);
+    (void)take_centred(x[8 * stride], 1.00001, &in->drho_w);
+    (void)take_centred(x[9 * stride], 1.00001, &in->drho_x);
+    (void)take_centred(x[10 * stride], 1.00001, &in->drho_y);
+    (void)take_centred(x[11 * stride], 1.00001, &in->drho_z);
+    (void)take_centred(x[12 * stride], 1000000000.0, &in->x_a_x);
+    (void)take_centred(x[13 * stride], 1000000000.0, &in->x_a_y);
+    (void)take_centred(x[14 * stride], 1000000000.0, &in->x_a_z);
+    (void)take_centred(x[15 * stride], 1000000000.0, &in->x_g_x);
+    (void)take_centred(x[16 * stride], 1000000000.0, &in->x_g_y);
+    (void)take_centred(x[17 * stride], 1000000000.0, &in->x_g_z);
+    (void)take_centred(d[0], 1000000000.0, &in->d_dp_x);
+    (void)take_centred(d[stride], 1000000000.0, &in->d_dp_y);
+    (void)take_centred(d[2 * stride], 1000000000.0, &in->d_dp_z);
+    (void)take_centred(d[3 * stride], 1000000000.0, &in->d_b_u);
+    (void)take_centred(d[4 * stride], 1000000000.0, &in->d_dv_x);
+    (void)take_centred(d[5 * stride], 1000000000.0, &in->d_dv_y);
+    (void)take_centred(d[6 * stride], 1000000000.0, &in->d_dv_z);
+    (void)take_centred(d[7 * stride], 1000000000.0, &in->d_b_u_dot);
+    (void)take_centred(d[8 * stride], 6.0, &in->d_drho_x);
+    (void)take_centred(d[9 * stride], 6.0, &in->d_drho_y);
+    (void)take_centred(d[10 * stride], 6.0, &in->d_drho_z);
+    (void)take_centred(d[11 * stride], 1000000000.0, &in->d_x_a_x);
+    (void)take_centred(d[12 * stride], 1000000000.0, &in->d_x_a_y);
+    (void)take_centred(d[13 * stride], 1000000000.0, &in->d_x_a_z);
+    (void)take_centred(d[14 * stride], 1000000000.0, &in->d_x_g_x);
+    (void)take_centred(d[15 * stride], 1000000000.0, &in->d_x_g_y);
+    (void)take_centred(d[16 * stride], 1000000000.0, &in->d_x_g_z);
+#else
     in->dp_x = x[0];
     in->dp_y = x[stride];
     in->dp_z = x[2 * stride];
@@ -155,6 +192,7 @@ FARRELL_TIGHTLY_COUPLED_INLINE void retract_copy(
     in->d_x_g_x = d[14 * stride];
     in->d_x_g_y = d[15 * stride];
     in->d_x_g_z = d[16 * stride];
+#endif
 }
 
 /* Store value in full, structural zeros included. */

@@ -121,7 +121,7 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t calc_force_load_lane(
         ((navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_QNORM * (skewed & ~outside));
 }
 
-/* Copy the inputs of one call that has passed its checks. */
+/* Copy the inputs of one epoch beside others that have passed their checks. */
 NAVTK_SPECIFIC_FORCE_INLINE void calc_force_copy(
     const navtk_specific_force_real_t dcm[],
     const navtk_specific_force_real_t delta_theta[],
@@ -130,6 +130,24 @@ NAVTK_SPECIFIC_FORCE_INLINE void calc_force_copy(
     int32_t stride,
     calc_force_input_t *in)
 {
+#ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
+    (void)take_centred(dcm[0], 1.00001, &in->dcm_00);
+    (void)take_centred(dcm[stride], 1.00001, &in->dcm_01);
+    (void)take_centred(dcm[2 * stride], 1.00001, &in->dcm_02);
+    (void)take_centred(dcm[3 * stride], 1.00001, &in->dcm_10);
+    (void)take_centred(dcm[4 * stride], 1.00001, &in->dcm_11);
+    (void)take_centred(dcm[5 * stride], 1.00001, &in->dcm_12);
+    (void)take_centred(dcm[6 * stride], 1.00001, &in->dcm_20);
+    (void)take_centred(dcm[7 * stride], 1.00001, &in->dcm_21);
+    (void)take_centred(dcm[8 * stride], 1.00001, &in->dcm_22);
+    (void)take_centred(delta_theta[0], 0.5, &in->delta_theta_x);
+    (void)take_centred(delta_theta[stride], 0.5, &in->delta_theta_y);
+    (void)take_centred(delta_theta[2 * stride], 0.5, &in->delta_theta_z);
+    (void)take_centred(delta_velocity[0], 50.0, &in->delta_velocity_x);
+    (void)take_centred(delta_velocity[stride], 50.0, &in->delta_velocity_y);
+    (void)take_centred(delta_velocity[2 * stride], 50.0, &in->delta_velocity_z);
+    (void)take_value(dt[0], 1.0e-05, 0.05, &in->dt);
+#else
     in->dcm_00 = dcm[0];
     in->dcm_01 = dcm[stride];
     in->dcm_02 = dcm[2 * stride];
@@ -146,6 +164,7 @@ NAVTK_SPECIFIC_FORCE_INLINE void calc_force_copy(
     in->delta_velocity_y = delta_velocity[stride];
     in->delta_velocity_z = delta_velocity[2 * stride];
     in->dt = dt[0];
+#endif
 }
 
 /* Store value in full, structural zeros included. */

@@ -144,7 +144,7 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t force_load_lane(
         ((navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_QNORM * (skewed & ~outside));
 }
 
-/* Copy the inputs of one call that has passed its checks. */
+/* Copy the inputs of one epoch beside others that have passed their checks. */
 NAVTK_SPECIFIC_FORCE_INLINE void force_copy(
     const navtk_specific_force_real_t x[],
     const navtk_specific_force_real_t delta_theta[],
@@ -153,6 +153,25 @@ NAVTK_SPECIFIC_FORCE_INLINE void force_copy(
     int32_t stride,
     force_input_t *in)
 {
+#ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
+    (void)take_centred(x[6 * stride], 1.00001, &in->attitude_w);
+    (void)take_centred(x[7 * stride], 1.00001, &in->attitude_x);
+    (void)take_centred(x[8 * stride], 1.00001, &in->attitude_y);
+    (void)take_centred(x[9 * stride], 1.00001, &in->attitude_z);
+    (void)take_centred(x[10 * stride], 1.0, &in->accelerometer_bias_x);
+    (void)take_centred(x[11 * stride], 1.0, &in->accelerometer_bias_y);
+    (void)take_centred(x[12 * stride], 1.0, &in->accelerometer_bias_z);
+    (void)take_centred(x[13 * stride], 0.1, &in->gyro_bias_x);
+    (void)take_centred(x[14 * stride], 0.1, &in->gyro_bias_y);
+    (void)take_centred(x[15 * stride], 0.1, &in->gyro_bias_z);
+    (void)take_centred(delta_theta[0], 0.5, &in->delta_theta_x);
+    (void)take_centred(delta_theta[stride], 0.5, &in->delta_theta_y);
+    (void)take_centred(delta_theta[2 * stride], 0.5, &in->delta_theta_z);
+    (void)take_centred(delta_velocity[0], 50.0, &in->delta_velocity_x);
+    (void)take_centred(delta_velocity[stride], 50.0, &in->delta_velocity_y);
+    (void)take_centred(delta_velocity[2 * stride], 50.0, &in->delta_velocity_z);
+    (void)take_value(dt[0], 1.0e-05, 0.05, &in->dt);
+#else
     in->attitude_w = x[6 * stride];
     in->attitude_x = x[7 * stride];
     in->attitude_y = x[8 * stride];
@@ -170,6 +189,7 @@ NAVTK_SPECIFIC_FORCE_INLINE void force_copy(
     in->delta_velocity_y = delta_velocity[stride];
     in->delta_velocity_z = delta_velocity[2 * stride];
     in->dt = dt[0];
+#endif
 }
 
 /* Store value in full, structural zeros included. */

@@ -100,13 +100,46 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t retract_load_lane(
         ((navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_QNORM * (skewed & ~outside));
 }
 
-/* Copy the inputs of one call that has passed its checks. */
+/* Copy the inputs of one epoch beside others that have passed their checks. */
 NAVTK_SPECIFIC_FORCE_INLINE void retract_copy(
     const navtk_specific_force_real_t x[],
     const navtk_specific_force_real_t d[],
     int32_t stride,
     retract_input_t *in)
 {
+#ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
+    (void)take_centred(x[0], 1000000000.0, &in->position_x);
+    (void)take_centred(x[stride], 1000000000.0, &in->position_y);
+    (void)take_centred(x[2 * stride], 1000000000.0, &in->position_z);
+    (void)take_centred(x[3 * stride], 1000000000.0, &in->velocity_x);
+    (void)take_centred(x[4 * stride], 1000000000.0, &in->velocity_y);
+    (void)take_centred(x[5 * stride], 1000000000.0, &in->velocity_z);
+    (void)take_centred(x[6 * stride], 1.00001, &in->attitude_w);
+    (void)take_centred(x[7 * stride], 1.00001, &in->attitude_x);
+    (void)take_centred(x[8 * stride], 1.00001, &in->attitude_y);
+    (void)take_centred(x[9 * stride], 1.00001, &in->attitude_z);
+    (void)take_centred(x[10 * stride], 1.0, &in->accelerometer_bias_x);
+    (void)take_centred(x[11 * stride], 1.0, &in->accelerometer_bias_y);
+    (void)take_centred(x[12 * stride], 1.0, &in->accelerometer_bias_z);
+    (void)take_centred(x[13 * stride], 0.1, &in->gyro_bias_x);
+    (void)take_centred(x[14 * stride], 0.1, &in->gyro_bias_y);
+    (void)take_centred(x[15 * stride], 0.1, &in->gyro_bias_z);
+    (void)take_centred(d[0], 1000000000.0, &in->d_position_x);
+    (void)take_centred(d[stride], 1000000000.0, &in->d_position_y);
+    (void)take_centred(d[2 * stride], 1000000000.0, &in->d_position_z);
+    (void)take_centred(d[3 * stride], 1000000000.0, &in->d_velocity_x);
+    (void)take_centred(d[4 * stride], 1000000000.0, &in->d_velocity_y);
+    (void)take_centred(d[5 * stride], 1000000000.0, &in->d_velocity_z);
+    (void)take_centred(d[6 * stride], 6.0, &in->d_attitude_x);
+    (void)take_centred(d[7 * stride], 6.0, &in->d_attitude_y);
+    (void)take_centred(d[8 * stride], 6.0, &in->d_attitude_z);
+    (void)take_centred(d[9 * stride], 1000000000.0, &in->d_accelerometer_bias_x);
+    (void)take_centred(d[10 * stride], 1000000000.0, &in->d_accelerometer_bias_y);
+    (void)take_centred(d[11 * stride], 1000000000.0, &in->d_accelerometer_bias_z);
+    (void)take_centred(d[12 * stride], 1000000000.0, &in->d_gyro_bias_x);
+    (void)take_centred(d[13 * stride], 1000000000.0, &in->d_gyro_bias_y);
+    (void)take_centred(d[14 * stride], 1000000000.0, &in->d_gyro_bias_z);
+#else
     in->position_x = x[0];
     in->position_y = x[stride];
     in->position_z = x[2 * stride];
@@ -138,6 +171,7 @@ NAVTK_SPECIFIC_FORCE_INLINE void retract_copy(
     in->d_gyro_bias_x = d[12 * stride];
     in->d_gyro_bias_y = d[13 * stride];
     in->d_gyro_bias_z = d[14 * stride];
+#endif
 }
 
 /* Store value in full, structural zeros included. */

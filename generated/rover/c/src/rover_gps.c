@@ -71,9 +71,21 @@ ROVER_INLINE rover_flag_t gps_load_lane(const rover_real_t x[], int32_t stride, 
         ((rover_flag_t)ROVER_QNORM * (skewed & ~outside));
 }
 
-/* Copy the inputs of one call that has passed its checks. */
+/* Copy the inputs of one epoch beside others that have passed their checks. */
 ROVER_INLINE void gps_copy(const rover_real_t x[], int32_t stride, gps_input_t *in)
 {
+#ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
+    (void)take_centred(x[0], 100000.0, &in->position_x);
+    (void)take_centred(x[stride], 100000.0, &in->position_y);
+    (void)take_centred(x[2 * stride], 100000.0, &in->position_z);
+    (void)take_centred(x[6 * stride], 1.00001, &in->attitude_w);
+    (void)take_centred(x[7 * stride], 1.00001, &in->attitude_x);
+    (void)take_centred(x[8 * stride], 1.00001, &in->attitude_y);
+    (void)take_centred(x[9 * stride], 1.00001, &in->attitude_z);
+    (void)take_centred(x[16 * stride], 10.0, &in->antenna_x);
+    (void)take_centred(x[17 * stride], 10.0, &in->antenna_y);
+    (void)take_centred(x[18 * stride], 10.0, &in->antenna_z);
+#else
     in->position_x = x[0];
     in->position_y = x[stride];
     in->position_z = x[2 * stride];
@@ -84,6 +96,7 @@ ROVER_INLINE void gps_copy(const rover_real_t x[], int32_t stride, gps_input_t *
     in->antenna_x = x[16 * stride];
     in->antenna_y = x[17 * stride];
     in->antenna_z = x[18 * stride];
+#endif
 }
 
 /* Store value in full, structural zeros included. */

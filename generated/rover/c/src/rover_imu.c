@@ -102,7 +102,7 @@ ROVER_INLINE rover_flag_t imu_load_lane(
         ((rover_flag_t)ROVER_QNORM * (skewed & ~outside));
 }
 
-/* Copy the inputs of one call that has passed its checks. */
+/* Copy the inputs of one epoch beside others that have passed their checks. */
 ROVER_INLINE void imu_copy(
     const rover_real_t x[],
     const rover_real_t delta_theta[],
@@ -111,6 +111,31 @@ ROVER_INLINE void imu_copy(
     int32_t stride,
     imu_input_t *in)
 {
+#ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
+    (void)take_centred(x[6 * stride], 1.00001, &in->attitude_w);
+    (void)take_centred(x[7 * stride], 1.00001, &in->attitude_x);
+    (void)take_centred(x[8 * stride], 1.00001, &in->attitude_y);
+    (void)take_centred(x[9 * stride], 1.00001, &in->attitude_z);
+    (void)take_centred(x[10 * stride], 1.0, &in->accelerometer_bias_x);
+    (void)take_centred(x[11 * stride], 1.0, &in->accelerometer_bias_y);
+    (void)take_centred(x[12 * stride], 1.0, &in->accelerometer_bias_z);
+    (void)take_centred(x[13 * stride], 0.1, &in->gyro_bias_x);
+    (void)take_centred(x[14 * stride], 0.1, &in->gyro_bias_y);
+    (void)take_centred(x[15 * stride], 0.1, &in->gyro_bias_z);
+    (void)take_centred(delta_theta[0], 0.5, &in->delta_theta_0);
+    (void)take_centred(delta_theta[stride], 0.5, &in->delta_theta_1);
+    (void)take_centred(delta_theta[2 * stride], 0.5, &in->delta_theta_2);
+    (void)take_centred(delta_theta[3 * stride], 0.5, &in->delta_theta_3);
+    (void)take_centred(delta_theta[4 * stride], 0.5, &in->delta_theta_4);
+    (void)take_centred(delta_theta[5 * stride], 0.5, &in->delta_theta_5);
+    (void)take_centred(delta_velocity[0], 50.0, &in->delta_velocity_0);
+    (void)take_centred(delta_velocity[stride], 50.0, &in->delta_velocity_1);
+    (void)take_centred(delta_velocity[2 * stride], 50.0, &in->delta_velocity_2);
+    (void)take_centred(delta_velocity[3 * stride], 50.0, &in->delta_velocity_3);
+    (void)take_centred(delta_velocity[4 * stride], 50.0, &in->delta_velocity_4);
+    (void)take_centred(delta_velocity[5 * stride], 50.0, &in->delta_velocity_5);
+    (void)take_value(dt[0], 1.0e-05, 0.05, &in->dt);
+#else
     in->attitude_w = x[6 * stride];
     in->attitude_x = x[7 * stride];
     in->attitude_y = x[8 * stride];
@@ -134,6 +159,7 @@ ROVER_INLINE void imu_copy(
     in->delta_velocity_4 = delta_velocity[4 * stride];
     in->delta_velocity_5 = delta_velocity[5 * stride];
     in->dt = dt[0];
+#endif
 }
 
 /* Store value in full, structural zeros included. */

@@ -144,7 +144,7 @@ SINGLE_POINT_INLINE single_point_flag_t broadcast_orbit_load_lane(
     return (single_point_flag_t)SINGLE_POINT_RANGE * outside;
 }
 
-/* Copy the inputs of one call that has passed its checks. */
+/* Copy the inputs of one epoch beside others that have passed their checks. */
 SINGLE_POINT_INLINE void broadcast_orbit_copy(
     const single_point_real_t time_2[],
     const single_point_real_t toe[],
@@ -170,6 +170,30 @@ SINGLE_POINT_INLINE void broadcast_orbit_copy(
     const single_point_real_t group_delay[],
     broadcast_orbit_input_t *in)
 {
+#ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
+    (void)take_value(time_2[0], -3600.0, 608400.0, &in->time_2);
+    (void)take_value(toe[0], 0.0, 604800.0, &in->toe);
+    (void)take_value(toc[0], 0.0, 604800.0, &in->toc);
+    (void)take_value(sqrt_a[0], 4000.0, 7000.0, &in->sqrt_a);
+    (void)take_value(eccentricity[0], 0.0, 0.1, &in->eccentricity);
+    (void)take_centred(mean_anomaly[0], 3.2, &in->mean_anomaly);
+    (void)take_centred(mean_motion_difference[0], 1.0e-06, &in->mean_motion_difference);
+    (void)take_centred(inclination[0], 3.2, &in->inclination);
+    (void)take_centred(inclination_rate[0], 1.0e-06, &in->inclination_rate);
+    (void)take_centred(right_ascension[0], 3.2, &in->right_ascension);
+    (void)take_centred(right_ascension_rate[0], 1.0e-06, &in->right_ascension_rate);
+    (void)take_centred(argument_of_perigee[0], 3.2, &in->argument_of_perigee);
+    (void)take_centred(cuc[0], 0.001, &in->cuc);
+    (void)take_centred(cus[0], 0.001, &in->cus);
+    (void)take_centred(crc[0], 10000.0, &in->crc);
+    (void)take_centred(crs[0], 10000.0, &in->crs);
+    (void)take_centred(cic[0], 0.001, &in->cic);
+    (void)take_centred(cis[0], 0.001, &in->cis);
+    (void)take_centred(af0[0], 0.1, &in->af0);
+    (void)take_centred(af1[0], 1.0e-06, &in->af1);
+    (void)take_centred(af2[0], 1.0e-09, &in->af2);
+    (void)take_centred(group_delay[0], 1.0e-05, &in->group_delay);
+#else
     in->time_2 = time_2[0];
     in->toe = toe[0];
     in->toc = toc[0];
@@ -192,6 +216,7 @@ SINGLE_POINT_INLINE void broadcast_orbit_copy(
     in->af1 = af1[0];
     in->af2 = af2[0];
     in->group_delay = group_delay[0];
+#endif
 }
 
 /* Store position in full, structural zeros included. */

@@ -18,8 +18,32 @@
 typedef struct {
     single_point_real_t value[SINGLE_POINT_PSEUDORANGE_WITHOUT_SAGNAC_LANES];
     single_point_real_t jacobian[4 * SINGLE_POINT_PSEUDORANGE_WITHOUT_SAGNAC_LANES];
-    single_point_flag_t status[SINGLE_POINT_PSEUDORANGE_WITHOUT_SAGNAC_LANES];
 } pseudorange_without_sagnac_block_t;
+
+/* Copy the inputs of one item that have passed their checks. */
+SINGLE_POINT_INLINE void pseudorange_without_sagnac_copy_item(
+    const single_point_real_t satellite_position[],
+    const single_point_real_t satellite_clock[],
+    const single_point_real_t troposphere[],
+    const single_point_real_t ionosphere[],
+    pseudorange_without_sagnac_item_t *item)
+{
+#ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
+    (void)take_centred(satellite_position[0], 100000000.0, &item->satellite_position_x);
+    (void)take_centred(satellite_position[1], 100000000.0, &item->satellite_position_y);
+    (void)take_centred(satellite_position[2], 100000000.0, &item->satellite_position_z);
+    (void)take_centred(satellite_clock[0], 0.1, &item->satellite_clock);
+    (void)take_value(troposphere[0], -100.0, 1000.0, &item->troposphere);
+    (void)take_centred(ionosphere[0], 1000.0, &item->ionosphere);
+#else
+    item->satellite_position_x = satellite_position[0];
+    item->satellite_position_y = satellite_position[1];
+    item->satellite_position_z = satellite_position[2];
+    item->satellite_clock = satellite_clock[0];
+    item->troposphere = troposphere[0];
+    item->ionosphere = ionosphere[0];
+#endif
+}
 
 /* Store the non-zeros of value, a stride apart. */
 SINGLE_POINT_INLINE void pseudorange_without_sagnac_put_value(
@@ -62,7 +86,7 @@ SINGLE_POINT_INLINE void pseudorange_without_sagnac_fill_jacobian(
 }
 
 /* Status of every item; returns that of the first one that failed. */
-static single_point_status_t pseudorange_without_sagnac_check_items(
+SINGLE_POINT_INLINE single_point_status_t pseudorange_without_sagnac_check_items(
     const pseudorange_without_sagnac_input_t *SINGLE_POINT_RESTRICT in,
     int32_t count,
     const single_point_real_t satellite_position[SINGLE_POINT_RESTRICT],
@@ -112,12 +136,10 @@ static SINGLE_POINT_WIDE void pseudorange_without_sagnac_lanes(
     for (int32_t lane = 0; lane < count; ++lane) {
         pseudorange_without_sagnac_item_t item;
         pseudorange_without_sagnac_output_t out;
-        const single_point_flag_t loaded =
-            pseudorange_without_sagnac_load_item(&satellite_position[3 * lane],
-            &satellite_clock[lane], &troposphere[lane], &ionosphere[lane], &item);
-        const single_point_flag_t evaluated = pseudorange_without_sagnac_item(in, &item, &out);
+        pseudorange_without_sagnac_copy_item(&satellite_position[3 * lane], &satellite_clock[lane],
+            &troposphere[lane], &ionosphere[lane], &item);
+        (void)pseudorange_without_sagnac_item(in, &item, &out);
 
-        block->status[lane] = first_failure(loaded, evaluated);
         pseudorange_without_sagnac_put_value(&out, &block->value[lane]);
         pseudorange_without_sagnac_put_jacobian(&out, SINGLE_POINT_PSEUDORANGE_WITHOUT_SAGNAC_LANES,
             &block->jacobian[lane]);
@@ -138,12 +160,10 @@ static SINGLE_POINT_WIDE void pseudorange_without_sagnac_lanes_value(
     for (int32_t lane = 0; lane < count; ++lane) {
         pseudorange_without_sagnac_item_t item;
         pseudorange_without_sagnac_output_t out;
-        const single_point_flag_t loaded =
-            pseudorange_without_sagnac_load_item(&satellite_position[3 * lane],
-            &satellite_clock[lane], &troposphere[lane], &ionosphere[lane], &item);
-        const single_point_flag_t evaluated = pseudorange_without_sagnac_item(in, &item, &out);
+        pseudorange_without_sagnac_copy_item(&satellite_position[3 * lane], &satellite_clock[lane],
+            &troposphere[lane], &ionosphere[lane], &item);
+        (void)pseudorange_without_sagnac_item(in, &item, &out);
 
-        block->status[lane] = first_failure(loaded, evaluated);
         pseudorange_without_sagnac_put_value(&out, &block->value[lane]);
     }
 }
@@ -162,12 +182,10 @@ static SINGLE_POINT_WIDE void pseudorange_without_sagnac_lanes_jacobian(
     for (int32_t lane = 0; lane < count; ++lane) {
         pseudorange_without_sagnac_item_t item;
         pseudorange_without_sagnac_output_t out;
-        const single_point_flag_t loaded =
-            pseudorange_without_sagnac_load_item(&satellite_position[3 * lane],
-            &satellite_clock[lane], &troposphere[lane], &ionosphere[lane], &item);
-        const single_point_flag_t evaluated = pseudorange_without_sagnac_item(in, &item, &out);
+        pseudorange_without_sagnac_copy_item(&satellite_position[3 * lane], &satellite_clock[lane],
+            &troposphere[lane], &ionosphere[lane], &item);
+        (void)pseudorange_without_sagnac_item(in, &item, &out);
 
-        block->status[lane] = first_failure(loaded, evaluated);
         pseudorange_without_sagnac_put_jacobian(&out, SINGLE_POINT_PSEUDORANGE_WITHOUT_SAGNAC_LANES,
             &block->jacobian[lane]);
     }
@@ -404,9 +422,8 @@ single_point_status_t single_point_pseudorange_without_sagnac_jacobian(
     return status;
 }
 
-/* Non-zeros straight into the caller's columns, neighbouring items in one vector register.
-   Returns zero where no item failed. */
-SINGLE_POINT_INLINE single_point_flag_t pseudorange_without_sagnac_columns(
+/* Non-zeros straight into the caller's columns, neighbouring items in one vector register. */
+SINGLE_POINT_INLINE void pseudorange_without_sagnac_columns(
     int32_t stride,
     const pseudorange_without_sagnac_input_t *SINGLE_POINT_RESTRICT in,
     int32_t count,
@@ -417,26 +434,19 @@ SINGLE_POINT_INLINE single_point_flag_t pseudorange_without_sagnac_columns(
     single_point_real_t value[SINGLE_POINT_RESTRICT
         SINGLE_POINT_PSEUDORANGE_WITHOUT_SAGNAC_MAX_ITEMS],
     single_point_real_t jacobian_nz[SINGLE_POINT_RESTRICT 4 *
-        SINGLE_POINT_PSEUDORANGE_WITHOUT_SAGNAC_MAX_ITEMS],
-    single_point_flag_t codes[SINGLE_POINT_RESTRICT])
+        SINGLE_POINT_PSEUDORANGE_WITHOUT_SAGNAC_MAX_ITEMS])
 {
-    single_point_flag_t failed = 0U;
-
     SINGLE_POINT_IVDEP
     for (int32_t i = 0; i < count; ++i) {
         pseudorange_without_sagnac_item_t item;
         pseudorange_without_sagnac_output_t out;
-        const single_point_flag_t loaded =
-            pseudorange_without_sagnac_load_item(&satellite_position[3 * i],
-            &satellite_clock[i], &troposphere[i], &ionosphere[i], &item);
-        const single_point_flag_t evaluated = pseudorange_without_sagnac_item(in, &item, &out);
+        pseudorange_without_sagnac_copy_item(&satellite_position[3 * i], &satellite_clock[i],
+            &troposphere[i], &ionosphere[i], &item);
+        (void)pseudorange_without_sagnac_item(in, &item, &out);
 
-        codes[i] = first_failure(loaded, evaluated);
-        failed |= codes[i];
         pseudorange_without_sagnac_fill_value(out.value, &value[i]);
         pseudorange_without_sagnac_put_jacobian(&out, stride, &jacobian_nz[i]);
     }
-    return failed;
 }
 
 /* The same with all that comes before and after; columns are a stride apart. */
@@ -467,9 +477,8 @@ SINGLE_POINT_INLINE single_point_status_t pseudorange_without_sagnac_sparse(
             troposphere, ionosphere, item_status);
     }
     if (status == SINGLE_POINT_OK) {
-        single_point_flag_t codes[SINGLE_POINT_PSEUDORANGE_WITHOUT_SAGNAC_MAX_ITEMS];
-        (void)pseudorange_without_sagnac_columns(stride, &in, n, satellite_position,
-            satellite_clock, troposphere, ionosphere, value, jacobian_nz, codes);
+        pseudorange_without_sagnac_columns(stride, &in, n, satellite_position, satellite_clock,
+            troposphere, ionosphere, value, jacobian_nz);
     }
     return status;
 }

@@ -49,13 +49,23 @@ SINGLE_POINT_INLINE single_point_flag_t retract_load_lane(
     return (single_point_flag_t)SINGLE_POINT_RANGE * outside;
 }
 
-/* Copy the inputs of one call that has passed its checks. */
+/* Copy the inputs of one epoch beside others that have passed their checks. */
 SINGLE_POINT_INLINE void retract_copy(
     const single_point_real_t x[],
     const single_point_real_t d[],
     int32_t stride,
     retract_input_t *in)
 {
+#ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
+    (void)take_centred(x[0], 10000000.0, &in->position_x);
+    (void)take_centred(x[stride], 10000000.0, &in->position_y);
+    (void)take_centred(x[2 * stride], 10000000.0, &in->position_z);
+    (void)take_centred(x[3 * stride], 100000000.0, &in->clock_bias);
+    (void)take_centred(d[0], 1000000000.0, &in->d_position_x);
+    (void)take_centred(d[stride], 1000000000.0, &in->d_position_y);
+    (void)take_centred(d[2 * stride], 1000000000.0, &in->d_position_z);
+    (void)take_centred(d[3 * stride], 1000000000.0, &in->d_clock_bias);
+#else
     in->position_x = x[0];
     in->position_y = x[stride];
     in->position_z = x[2 * stride];
@@ -64,6 +74,7 @@ SINGLE_POINT_INLINE void retract_copy(
     in->d_position_y = d[stride];
     in->d_position_z = d[2 * stride];
     in->d_clock_bias = d[3 * stride];
+#endif
 }
 
 /* Store value in full, structural zeros included. */

@@ -47,15 +47,21 @@ WARPOS_GPS_INLINE warpos_gps_flag_t measurement_load_lane(
     return (warpos_gps_flag_t)WARPOS_GPS_RANGE * outside;
 }
 
-/* Copy the inputs of one call that has passed its checks. */
+/* Copy the inputs of one epoch beside others that have passed their checks. */
 WARPOS_GPS_INLINE void measurement_copy(
     const warpos_gps_real_t x[],
     int32_t stride,
     measurement_input_t *in)
 {
+#ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
+    (void)take_centred(x[4 * stride], 1000000000.0, &in->position_x);
+    (void)take_centred(x[5 * stride], 1000000000.0, &in->position_y);
+    (void)take_centred(x[6 * stride], 1000000000.0, &in->position_z);
+#else
     in->position_x = x[4 * stride];
     in->position_y = x[5 * stride];
     in->position_z = x[6 * stride];
+#endif
 }
 
 /* Store value in full, structural zeros included. */

@@ -64,13 +64,22 @@ WARPOS_GPS_INLINE warpos_gps_flag_t observed_load_lane(
         ((warpos_gps_flag_t)WARPOS_GPS_QNORM * (skewed & ~outside));
 }
 
-/* Copy the inputs of one call that has passed its checks. */
+/* Copy the inputs of one epoch beside others that have passed their checks. */
 WARPOS_GPS_INLINE void observed_copy(
     const warpos_gps_real_t x[],
     const warpos_gps_real_t observer_attitude[],
     int32_t stride,
     observed_input_t *in)
 {
+#ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
+    (void)take_centred(x[4 * stride], 1000000000.0, &in->position_x);
+    (void)take_centred(x[5 * stride], 1000000000.0, &in->position_y);
+    (void)take_centred(x[6 * stride], 1000000000.0, &in->position_z);
+    (void)take_centred(observer_attitude[0], 1.00001, &in->observer_attitude_w);
+    (void)take_centred(observer_attitude[stride], 1.00001, &in->observer_attitude_x);
+    (void)take_centred(observer_attitude[2 * stride], 1.00001, &in->observer_attitude_y);
+    (void)take_centred(observer_attitude[3 * stride], 1.00001, &in->observer_attitude_z);
+#else
     in->position_x = x[4 * stride];
     in->position_y = x[5 * stride];
     in->position_z = x[6 * stride];
@@ -78,6 +87,7 @@ WARPOS_GPS_INLINE void observed_copy(
     in->observer_attitude_x = observer_attitude[stride];
     in->observer_attitude_y = observer_attitude[2 * stride];
     in->observer_attitude_z = observer_attitude[3 * stride];
+#endif
 }
 
 /* Store value in full, structural zeros included. */

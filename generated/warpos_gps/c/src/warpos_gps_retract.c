@@ -86,13 +86,45 @@ WARPOS_GPS_INLINE warpos_gps_flag_t retract_load_lane(
     return (warpos_gps_flag_t)WARPOS_GPS_RANGE * outside;
 }
 
-/* Copy the inputs of one call that has passed its checks. */
+/* Copy the inputs of one epoch beside others that have passed their checks. */
 WARPOS_GPS_INLINE void retract_copy(
     const warpos_gps_real_t x[],
     const warpos_gps_real_t d[],
     int32_t stride,
     retract_input_t *in)
 {
+#ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
+    (void)take_centred(x[0], 1000000000.0, &in->leading_0);
+    (void)take_centred(x[stride], 1000000000.0, &in->leading_1);
+    (void)take_centred(x[2 * stride], 1000000000.0, &in->leading_2);
+    (void)take_centred(x[3 * stride], 1000000000.0, &in->leading_3);
+    (void)take_centred(x[4 * stride], 1000000000.0, &in->position_x);
+    (void)take_centred(x[5 * stride], 1000000000.0, &in->position_y);
+    (void)take_centred(x[6 * stride], 1000000000.0, &in->position_z);
+    (void)take_centred(x[7 * stride], 1000000000.0, &in->trailing_0);
+    (void)take_centred(x[8 * stride], 1000000000.0, &in->trailing_1);
+    (void)take_centred(x[9 * stride], 1000000000.0, &in->trailing_2);
+    (void)take_centred(x[10 * stride], 1000000000.0, &in->trailing_3);
+    (void)take_centred(x[11 * stride], 1000000000.0, &in->trailing_4);
+    (void)take_centred(x[12 * stride], 1000000000.0, &in->trailing_5);
+    (void)take_centred(x[13 * stride], 1000000000.0, &in->trailing_6);
+    (void)take_centred(x[14 * stride], 1000000000.0, &in->trailing_7);
+    (void)take_centred(d[0], 1000000000.0, &in->d_leading_0);
+    (void)take_centred(d[stride], 1000000000.0, &in->d_leading_1);
+    (void)take_centred(d[2 * stride], 1000000000.0, &in->d_leading_2);
+    (void)take_centred(d[3 * stride], 1000000000.0, &in->d_leading_3);
+    (void)take_centred(d[4 * stride], 1000000000.0, &in->d_position_x);
+    (void)take_centred(d[5 * stride], 1000000000.0, &in->d_position_y);
+    (void)take_centred(d[6 * stride], 1000000000.0, &in->d_position_z);
+    (void)take_centred(d[7 * stride], 1000000000.0, &in->d_trailing_0);
+    (void)take_centred(d[8 * stride], 1000000000.0, &in->d_trailing_1);
+    (void)take_centred(d[9 * stride], 1000000000.0, &in->d_trailing_2);
+    (void)take_centred(d[10 * stride], 1000000000.0, &in->d_trailing_3);
+    (void)take_centred(d[11 * stride], 1000000000.0, &in->d_trailing_4);
+    (void)take_centred(d[12 * stride], 1000000000.0, &in->d_trailing_5);
+    (void)take_centred(d[13 * stride], 1000000000.0, &in->d_trailing_6);
+    (void)take_centred(d[14 * stride], 1000000000.0, &in->d_trailing_7);
+#else
     in->leading_0 = x[0];
     in->leading_1 = x[stride];
     in->leading_2 = x[2 * stride];
@@ -123,6 +155,7 @@ WARPOS_GPS_INLINE void retract_copy(
     in->d_trailing_5 = d[12 * stride];
     in->d_trailing_6 = d[13 * stride];
     in->d_trailing_7 = d[14 * stride];
+#endif
 }
 
 /* Store value in full, structural zeros included. */

@@ -97,7 +97,7 @@ WARPOS_GPS_INLINE warpos_gps_flag_t to_state_frame_load_lane(
         ((warpos_gps_flag_t)WARPOS_GPS_QNORM * (skewed & ~outside));
 }
 
-/* Copy the inputs of one call that has passed its checks. */
+/* Copy the inputs of one epoch beside others that have passed their checks. */
 WARPOS_GPS_INLINE void to_state_frame_copy(
     const warpos_gps_real_t observer_attitude[],
     const warpos_gps_real_t receiver_position[],
@@ -108,6 +108,34 @@ WARPOS_GPS_INLINE void to_state_frame_copy(
     int32_t stride,
     to_state_frame_input_t *in)
 {
+#ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
+    (void)take_centred(observer_attitude[0], 1.00001, &in->observer_attitude_w);
+    (void)take_centred(observer_attitude[stride], 1.00001, &in->observer_attitude_x);
+    (void)take_centred(observer_attitude[2 * stride], 1.00001, &in->observer_attitude_y);
+    (void)take_centred(observer_attitude[3 * stride], 1.00001, &in->observer_attitude_z);
+    (void)take_centred(receiver_position[0], 1000000000.0, &in->receiver_position_x);
+    (void)take_centred(receiver_position[stride], 1000000000.0, &in->receiver_position_y);
+    (void)take_centred(receiver_position[2 * stride], 1000000000.0, &in->receiver_position_z);
+    (void)take_centred(origin_offset[0], 1000000000.0, &in->origin_offset_x);
+    (void)take_centred(origin_offset[stride], 1000000000.0, &in->origin_offset_y);
+    (void)take_centred(origin_offset[2 * stride], 1000000000.0, &in->origin_offset_z);
+    (void)take_centred(attitude[0], 1.00001, &in->attitude_w);
+    (void)take_centred(attitude[stride], 1.00001, &in->attitude_x);
+    (void)take_centred(attitude[2 * stride], 1.00001, &in->attitude_y);
+    (void)take_centred(attitude[3 * stride], 1.00001, &in->attitude_z);
+    (void)take_centred(lever_arm[0], 100.0, &in->lever_arm_x);
+    (void)take_centred(lever_arm[stride], 100.0, &in->lever_arm_y);
+    (void)take_centred(lever_arm[2 * stride], 100.0, &in->lever_arm_z);
+    (void)take_centred(covariance_2[0], 1000000000000.0, &in->covariance_2_0);
+    (void)take_centred(covariance_2[stride], 1000000000000.0, &in->covariance_2_1);
+    (void)take_centred(covariance_2[2 * stride], 1000000000000.0, &in->covariance_2_2);
+    (void)take_centred(covariance_2[3 * stride], 1000000000000.0, &in->covariance_2_3);
+    (void)take_centred(covariance_2[4 * stride], 1000000000000.0, &in->covariance_2_4);
+    (void)take_centred(covariance_2[5 * stride], 1000000000000.0, &in->covariance_2_5);
+    (void)take_centred(covariance_2[6 * stride], 1000000000000.0, &in->covariance_2_6);
+    (void)take_centred(covariance_2[7 * stride], 1000000000000.0, &in->covariance_2_7);
+    (void)take_centred(covariance_2[8 * stride], 1000000000000.0, &in->covariance_2_8);
+#else
     in->observer_attitude_w = observer_attitude[0];
     in->observer_attitude_x = observer_attitude[stride];
     in->observer_attitude_y = observer_attitude[2 * stride];
@@ -134,6 +162,7 @@ WARPOS_GPS_INLINE void to_state_frame_copy(
     in->covariance_2_6 = covariance_2[6 * stride];
     in->covariance_2_7 = covariance_2[7 * stride];
     in->covariance_2_8 = covariance_2[8 * stride];
+#endif
 }
 
 /* Store value in full, structural zeros included. */
