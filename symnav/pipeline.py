@@ -188,18 +188,17 @@ def generate(
 def _generate(
     spec: Spec, out: Path, progress: Progress, force: bool = False
 ) -> tuple[Generated, Derived]:
-    from symnav.emit import writing
+    from symnav.emit import manifest, writing
     from symnav.lower.module import digest
 
     seconds: dict[str, float] = {}
     if not force:
-        writing.protect(out / spec.name)
+        writing.protect(out / spec.name, f"package {spec.name}")
     derived = _timed("derive", seconds, progress, lambda: derive(spec))
     text = _timed("emit", seconds, progress, lambda: emit(spec, derived))
     package = out / spec.name
-    written = _timed(
-        "write", seconds, progress, lambda: writing.write(package, text, digest(spec), spec.scalars)
-    )
+    origin = manifest.Origin(f"package {spec.name}", digest(spec), tuple(spec.scalars))
+    written = _timed("write", seconds, progress, lambda: writing.write(package, text, origin))
     return Generated(package, written, not written, seconds), derived
 
 
@@ -298,18 +297,19 @@ def export(
         HandEditedError: when files of the bundle there were changed by hand.
         InputError: when the folder there is no bundle, or a value may err by too much.
     """
-    from symnav.emit import writing
+    from symnav.emit import manifest, writing
     from symnav.export import assemble
     from symnav.export.proofs.proving import prove
     from symnav.lower.module import digest
 
     if not force:
-        writing.protect(folder)
+        writing.protect(folder, f"bundle {spec.name}")
     made = bundle(spec, scalar, tolerance, batches=batches, guards=guards, progress=progress)
     text = assemble(made, progress)
     progress("write")
-    scalars = [tree.module.scalar.value for tree in made.trees]
-    written = writing.write(folder, text, digest(spec), scalars, made.options.plain)
+    scalars = tuple(tree.module.scalar.value for tree in made.trees)
+    origin = manifest.Origin(f"bundle {spec.name}", digest(spec), scalars, made.options.plain)
+    written = writing.write(folder, text, origin)
     contents = tuple(
         (tree.prefix, tree.module.scalar.value, tuple(f.name for f in tree.module.functions))
         for tree in made.trees

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
 from enum import StrEnum
 from pathlib import Path, PurePosixPath
 
@@ -49,28 +49,48 @@ class CheckReport:
     reasons: tuple[str, ...]
 
 
-def emit(
-    spec_digest: str,
-    scalars: Sequence[str],
-    text: Mapping[str, str],
-    options: Mapping[str, object] | None = None,
-) -> dict[str, str]:
+@dataclass(frozen=True, slots=True)
+class Origin:
+    """What the files of a folder are, and what they were made from.
+
+    Attributes:
+        holds: kind and name, as in ``package rover``.
+        specification: digest of its canonical text.
+        scalars: floating-point types of the C.
+        options: what else decided about the files, where anything did.
+    """
+
+    holds: str
+    specification: str
+    scalars: tuple[str, ...]
+    options: Mapping[str, object] = field(default_factory=dict)
+
+
+def emit(origin: Origin, text: Mapping[str, str]) -> dict[str, str]:
     """Render the manifest of a package.
 
     Args:
-        spec_digest: of the canonical text of the specification.
-        scalars: floating-point types of the C.
+        origin: what it is and was made from.
         text: every other file of the package by path.
-        options: what else decided about the files, where anything did.
     """
     content: dict[str, object] = {
         "generator": _GENERATOR,
-        "specification": spec_digest,
-        "scalars": list(scalars),
-        **({"options": dict(options)} if options else {}),
+        "holds": origin.holds,
+        "specification": origin.specification,
+        "scalars": list(origin.scalars),
+        **({"options": dict(origin.options)} if origin.options else {}),
         "files": {path: _digest(text[path].encode()) for path in sorted(text)},
     }
     return {MANIFEST: json.dumps(content, indent=2) + "\n"}
+
+
+def holds(package: Path) -> str:
+    """What a folder holds by its manifest; empty where that does not say.
+
+    Raises:
+        InputError: when there is no manifest, or one that cannot be read.
+    """
+    return _read(package).holds
 
 
 def listed(package: Path) -> tuple[str, ...]:
@@ -135,6 +155,7 @@ class _Manifest:
     """What a manifest says."""
 
     generator: str
+    holds: str
     specification: str
     files: Mapping[str, str]
 
@@ -146,7 +167,8 @@ def _read(package: Path) -> _Manifest:
     try:
         content = json.loads(path.read_text(encoding="utf-8"))
         files = {_inside(str(name)): str(digest) for name, digest in content["files"].items()}
-        return _Manifest(str(content["generator"]), str(content["specification"]), files)
+        generator, specification = str(content["generator"]), str(content["specification"])
+        return _Manifest(generator, str(content.get("holds", "")), specification, files)
     except (AttributeError, ValueError, KeyError, TypeError) as error:
         raise InputError(
             f"{path} cannot be read; write the package again with symnav generate --force"

@@ -9,27 +9,19 @@ from symnav.emit import manifest
 from symnav.errors import HandEditedError, InputError
 
 
-def write(
-    folder: Path,
-    text: Mapping[str, str],
-    specification: str,
-    scalars: Sequence[str],
-    options: Mapping[str, object] | None = None,
-) -> tuple[str, ...]:
+def write(folder: Path, text: Mapping[str, str], origin: manifest.Origin) -> tuple[str, ...]:
     """Write files and their manifest; remove those an earlier generation wrote and this does not.
 
     Args:
         folder: what the paths are relative to.
         text: by path.
-        specification: digest of the specification.
-        scalars: floating-point types of the C.
-        options: what else decided about the files, where anything did.
+        origin: what the files are and were made from.
 
     Returns:
         Paths of what was new, different or removed; nothing was touched where there are none.
         Records of proofs go with what they were of, and are not among them.
     """
-    complete = {**text, **manifest.emit(specification, scalars, text, options)}
+    complete = {**text, **manifest.emit(origin, text)}
     changed = [path for path, content in complete.items() if not _same(folder / path, content)]
     stale = [path for path in manifest.listed(folder) if path not in complete]
     if changed or stale:
@@ -38,12 +30,16 @@ def write(
     return tuple(sorted([*changed, *stale]))
 
 
-def protect(folder: Path) -> None:
-    """Refuse to write over what somebody else wrote.
+def protect(folder: Path, holds: str) -> None:
+    """Refuse to write over what somebody else wrote, or over another package or bundle.
+
+    Args:
+        folder: where to write.
+        holds: what is going to be there.
 
     Raises:
         HandEditedError: when files there were changed by hand.
-        InputError: when the folder holds files but no manifest.
+        InputError: when the folder holds files but no manifest, or something else.
     """
     if not folder.exists() or not any(folder.iterdir()):
         return
@@ -51,6 +47,12 @@ def protect(folder: Path) -> None:
         raise InputError(
             f"{folder}: holds files but was not generated; choose another folder, or use "
             "--force to write into it"
+        )
+    present = manifest.holds(folder)
+    if present and present != holds:
+        raise InputError(
+            f"{folder}: holds the {present}; choose another folder for the {holds}, or use "
+            "--force to replace what is there"
         )
     report = manifest.check(folder, None)
     if report.state == "hand-edited":
@@ -75,3 +77,12 @@ def _replace(folder: Path, complete: Mapping[str, str], stale: Sequence[str]) ->
         partial.replace(target)
     for path in stale:
         (folder / path).unlink(missing_ok=True)
+    for path in stale:
+        _prune(folder, (folder / path).parent)
+
+
+def _prune(folder: Path, emptied: Path) -> None:
+    """Remove directories inside a folder that nothing is left in."""
+    while emptied != folder and emptied.is_dir() and not any(emptied.iterdir()):
+        emptied.rmdir()
+        emptied = emptied.parent

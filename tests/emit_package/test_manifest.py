@@ -14,12 +14,14 @@ from symnav.emit import manifest
 
 TEXT = {"a.py": "a = 1\n", "c/src/a.c": "int a;\n"}
 SPEC = "5" * 64
+ORIGIN = manifest.Origin("package a", SPEC, ("double",))
+BOTH = manifest.Origin("package a", SPEC, ("double", "float"))
 
 
 @pytest.fixture
 def package(tmp_path: Path) -> Path:
     """A package with a manifest."""
-    for path, text in {**TEXT, **manifest.emit(SPEC, ("double",), TEXT)}.items():
+    for path, text in {**TEXT, **manifest.emit(ORIGIN, TEXT)}.items():
         (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / path).write_text(text)
     return tmp_path
@@ -27,15 +29,16 @@ def package(tmp_path: Path) -> Path:
 
 def test_content() -> None:
     """Digests, generator, scalar types; no clock, no path, no order of arrival."""
-    (text,) = manifest.emit(SPEC, ("double", "float"), TEXT).values()
+    (text,) = manifest.emit(BOTH, TEXT).values()
     assert json.loads(text) == {
         "generator": f"symnav {symnav.__version__}",
+        "holds": "package a",
         "specification": SPEC,
         "scalars": ["double", "float"],
         "files": {path: hashlib.sha256(own.encode()).hexdigest() for path, own in TEXT.items()},
     }
     turned = dict(reversed(TEXT.items()))
-    assert manifest.emit(SPEC, ("double", "float"), turned)["manifest.json"] == text
+    assert manifest.emit(BOTH, turned)["manifest.json"] == text
 
 
 def test_fresh(package: Path) -> None:

@@ -64,6 +64,23 @@ def test_changes_by_hand_are_kept(tmp_path: Path) -> None:
     assert source.read_text() != "/* mine */\n"
 
 
+def test_another_bundle_is_not_replaced_unasked(tmp_path: Path) -> None:
+    """Neither it nor a package; replaced on purpose, nothing of it is left behind."""
+    folder = tmp_path / "flight"
+    pipeline.export(pipeline.load("warpos_gps"), folder)
+    before = files(folder)
+    spec = pipeline.load("navtk_specific_force")
+    message = "holds the bundle warpos_gps; choose another folder for the bundle navtk_specific"
+    with pytest.raises(InputError, match=message):
+        pipeline.export(spec, folder)
+    assert files(folder) == before
+    pipeline.export(spec, folder, force=True)
+    assert not list(folder.rglob("*warpos_gps*"))
+    package = pipeline.generate(spec, tmp_path).package
+    with pytest.raises(InputError, match="holds the package navtk_specific_force; choose another"):
+        pipeline.export(spec, package)
+
+
 def test_folder_of_somebody_else(tmp_path: Path) -> None:
     (tmp_path / "notes.txt").write_text("mine")
     with pytest.raises(InputError, match="not generated"):
