@@ -296,7 +296,10 @@ def _source_of(bound: BoundEntry, role: str) -> Source:
 
 
 def _argument_order(spec: Spec, bound: BoundEntry) -> Iterable[str]:
-    """The state, shared inputs, item inputs; inputs in the order of the model's roles."""
+    """The state, shared inputs, item inputs; inputs in the order of the specification.
+
+    Those it declares come first; those it only binds follow as the models name them.
+    """
     used = bound.arguments.inputs
     if bound.arguments.uses_state:
         yield "x"

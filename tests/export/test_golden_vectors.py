@@ -11,7 +11,7 @@ import pytest
 from symnav import ir, pipeline
 from symnav.emit.c import sections
 from symnav.errors import ProofError
-from symnav.export.arithmetic.branches import decided, decisions
+from symnav.export.arithmetic.branches import decided, decisions, quarters
 from symnav.export.arithmetic.evaluation import bounds, evaluate
 from symnav.export.testing import program
 from symnav.export.testing.golden import ITEMS, Golden, golden
@@ -90,6 +90,21 @@ def test_every_branch_is_taken_and_turns_are_close() -> None:
     assert both == {(k, code) for k in range(len(taken)) for code in (0, 1)}
     angle = np.linalg.norm(found.inputs["d"][:, 6:9].astype(np.float64), axis=1)
     assert ((angle > 0.05) & (angle < 0.1)).any() and ((angle > 0.1) & (angle < 0.2)).any()
+
+
+@pytest.mark.parametrize("scalar", list(ir.Scalar))
+@pytest.mark.parametrize(
+    ("model", "name", "reached"),
+    [("farrell_tightly_coupled", "retract", {0, 1, 2, 3}),
+     ("ekf_cal_online", "gps_1", {0, 1, 2, 4, 6, 7})],
+)  # fmt: skip
+def test_sine_and_cosine_reach_every_quarter(
+    model: str, name: str, reached: set[int], scalar: ir.Scalar
+) -> None:
+    """Each has a polynomial of its own: half a turn may be 5.2 rad, a heading from -pi to pi."""
+    found, function = made(model, name, scalar)
+    (codes,) = quarters(function, scalar, evaluate(function, scalar, found.inputs))
+    assert set(codes.tolist()) == reached
 
 
 def test_an_antenna_at_its_satellite_is_found() -> None:

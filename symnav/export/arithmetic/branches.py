@@ -72,6 +72,36 @@ def decisions(function: ir.Function, scalar: ir.Scalar, outcome: Outcome) -> lis
     return found
 
 
+def quarters(function: ir.Function, scalar: ir.Scalar, outcome: Outcome) -> list[Codes]:
+    """For every sine and cosine of the tree the quarter turn each row reaches, and its side.
+
+    The tree evaluates them by a polynomial of its own for each quarter: 0 to 3 from zero on, 4 to
+    7 below it.
+    """
+    loads = loader(function, outcome.copies, kind_of(scalar))
+    blank = Ieee(scalar, function.checks_domain, np.zeros_like(outcome.status))
+    angles = {
+        call.operands[0]: None
+        for expression in expressions(function)
+        for call in _calls(expression)
+        if call.operation in (ir.Operation.OWN_SIN, ir.Operation.OWN_COS)
+    }
+    found = []
+    for angle in angles:
+        value = walk.evaluate(angle, loads, outcome.values, blank)
+        turns = np.broadcast_to(value, outcome.status.shape).astype(np.float64) / (0.5 * np.pi)
+        quarter = np.rint(np.where(np.isfinite(turns), turns, 0.0)).astype(np.int64)
+        found.append(quarter % 4 + 4 * (turns < 0.0))
+    return found
+
+
+def _calls(expression: ir.Expression) -> Iterator[ir.Call]:
+    if isinstance(expression, ir.Call):
+        yield expression
+        for operand in expression.operands:
+            yield from _calls(operand)
+
+
 def decided(taken: Sequence[Codes], sample: int, items: int) -> set[tuple[int, int]]:
     """What the rows of one sample decide: number of the selection and code."""
     rows = range(sample * items, (sample + 1) * items)

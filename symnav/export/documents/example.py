@@ -14,13 +14,14 @@ from symnav.emit.c.header import Section
 from symnav.emit.c.pieces import Parameter, call
 from symnav.emit.c.target import Target
 from symnav.emit.templates import render
+from symnav.export.building.build_files import model_digest
 from symnav.export.records import Bundle, Tree
 
 _WANTED = (ir.Role.MEASUREMENT, ir.Role.CORRECTION, ir.Role.RETRACT, ir.Role.LOCAL)
 
 
 def program(bundle: Bundle) -> str:
-    """C that includes the public header, insists on the layout, and calls one function."""
+    """C that includes the public headers, insists on layout and function, and calls it."""
     tree, section = _chosen(bundle)
     function, target = section.kernel.function, section.kernel.target
     entry = section.entries[0]
@@ -32,7 +33,8 @@ def program(bundle: Bundle) -> str:
         prefix=tree.prefix,
         macro=target.macro,
         digest=f"0x{tree.module.state.digest[:8].upper()}U",
-        symbol=entry.symbol,
+        model=f"0x{model_digest(tree, function.name)[:8].upper()}U",
+        symbol=f"{tree.prefix}_{function.name}",
         inputs=[
             line
             for parameter in inputs

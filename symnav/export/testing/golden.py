@@ -1,7 +1,8 @@
 """Golden vectors: a few inputs of every function, and the bits that come out.
 
 The inputs are samples of the proof, rounded into the type and kept inside the declared ranges:
-random ones, edges, and enough of both that every branch of a selection is taken. The expected
+random ones, edges, and enough of both that every branch of a selection is taken and sines and
+cosines reach every quarter turn that any of them does. The expected
 bits are those of ``evaluation``; each is also judged against the equation with fifty digits, so
 that what the vectors repeat is right. Behind them stand inputs at which a guard inside a kernel
 fails, where such are found.
@@ -18,10 +19,17 @@ from mpmath import mp
 from numpy.typing import NDArray
 
 from symnav import ir
+from symnav.blocks import RotationBlock
 from symnav.derive import Derivation
 from symnav.errors import ProofError
 from symnav.export.arithmetic import rounded
-from symnav.export.arithmetic.branches import beside_turns, decided, decisions, expressions
+from symnav.export.arithmetic.branches import (
+    beside_turns,
+    decided,
+    decisions,
+    expressions,
+    quarters,
+)
 from symnav.export.arithmetic.evaluation import (
     Outcome,
     Rows,
@@ -46,6 +54,9 @@ DRAWN = 16
 ITEMS = 3
 #: Samples kept, unless more are needed to take every branch.
 KEPT = 8
+
+#: Rotation vectors as long as declared ranges let them be, by one axis and by three.
+FAR_TURNS = np.array([[5.9, 0.0, 0.0], [5.9, -5.9, 5.9]])
 
 Indices = NDArray[np.intp]
 
@@ -100,7 +111,8 @@ def golden(spec: Spec, derivation: Derivation, function: ir.Function, scalar: ir
             f"{scalar.value}; change the ranges or the equation"
         )
     taken = decisions(function, scalar, outcome)
-    chosen = _chosen(drawn, good, items, taken)
+    turned = quarters(function, scalar, outcome)
+    chosen = _chosen(drawn, good, items, [*taken, *turned])
     flat = (chosen[:, None] * items + np.arange(items)).ravel()
     beside = [
         sample
@@ -121,15 +133,23 @@ def golden(spec: Spec, derivation: Derivation, function: ir.Function, scalar: ir
 
 
 def _drawn(spec: Spec, derivation: Derivation, function: ir.Function) -> Samples:
-    """Samples inside the declared ranges; in one of those of ``local`` both states are the same.
+    """Samples inside the declared ranges, with what chance hardly ever finds.
 
-    Two states drawn on their own are hardly ever close enough for the series of small angles.
+    In one of those of ``local`` both states are the same: two that are drawn on their own are not
+    close enough for the series of small angles. In two of those of ``retract`` attitudes turn so
+    far that half the angle is in the third and in the fourth quarter of sine and cosine.
     """
     drawn = draw(spec, derivation, DRAWN, SEED, ITEMS)
     if function.role is ir.Role.LOCAL:
         same = {**drawn.arguments, "y": drawn.arguments["y"].copy()}
         same["y"][-1] = same["x"][-1]
         drawn = replace(drawn, arguments=same)
+    if function.role is ir.Role.RETRACT:
+        turned = {**drawn.arguments, "d": drawn.arguments["d"].copy()}
+        for place in spec.layout.places.values():
+            if isinstance(place.block, RotationBlock):
+                turned["d"][-2:, place.error] = FAR_TURNS
+        drawn = replace(drawn, arguments=turned)
     return drawn
 
 
