@@ -19,14 +19,15 @@ def write(folder: Path, text: Mapping[str, str], origin: manifest.Origin) -> tup
 
     Returns:
         Paths of what was new, different or removed; nothing was touched where there are none.
-        Records of proofs go with what they were of, and are not among them.
+        Records of proofs go with what they were of.
     """
     complete = {**text, **manifest.emit(origin, text)}
     changed = [path for path, content in complete.items() if not _same(folder / path, content)]
     stale = [path for path in manifest.listed(folder) if path not in complete]
     if changed or stale:
         # What was proven of the files before is not known of these.
-        _replace(folder, complete, [*stale, *manifest.results(folder)])
+        stale += manifest.results(folder)
+        _replace(folder, complete, stale)
     return tuple(sorted([*changed, *stale]))
 
 

@@ -13,6 +13,7 @@ from click.testing import CliRunner
 
 from symnav import pipeline
 from symnav.cli import main
+from symnav.emit import manifest
 from tests.export.bundles import OUTER, bundle_of, files, run
 
 
@@ -42,6 +43,19 @@ def test_summary_tells_what_was_removed(tmp_path: Path) -> None:
     after = files(folder)
     changed = sum(before.get(path) != content for path, content in after.items())
     assert said == f"{folder}: {changed} files written, {len(before.keys() - after.keys())} removed"
+
+
+def test_records_of_proofs_that_go_are_counted(tmp_path: Path) -> None:
+    """What was proven of the files before is not known of others."""
+    folder = tmp_path / "bundle"
+    export("reference_relative", "--to", str(folder))
+    manifest.write_results(folder, {"proof/gcc.json": "{}\n"})
+    assert export("reference_relative", "--to", str(folder)).startswith(f"{folder}: unchanged\n")
+    before = files(folder)
+    said = export("reference_relative", "--to", str(folder), "--scalar", "float").splitlines()[0]
+    gone = before.keys() - files(folder).keys()
+    assert {"proof/gcc.json", "proof/results.json"} < gone
+    assert said.endswith(f"{len(gone)} removed")
 
 
 def test_a_folder_has_a_name(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
