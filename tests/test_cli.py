@@ -103,6 +103,20 @@ def test_unknown_verb_is_the_users_input() -> None:
     assert run("generat").exit_code == 2
 
 
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full")
+def test_a_full_disk_names_the_file(folder: Path) -> None:
+    """The system knows no name where it notices; nothing half written is left."""
+    full = folder / "bundle" / ".Makefile.partial"
+    full.parent.mkdir()
+    full.symlink_to("/dev/full")
+    words = ("export", "reference_relative", "--to", "bundle", "--force")
+    result = run(*words)
+    assert result.exit_code == 1
+    assert result.stderr == "symnav: bundle/Makefile: No space left on device\n"
+    assert not full.is_symlink() and not (folder / "bundle" / "Makefile").exists()
+    assert run(*words).exit_code == 0
+
+
 def test_plain_output_where_nobody_watches() -> None:
     """No colours, no cursor movements."""
     result = run("doctor")

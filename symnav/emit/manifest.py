@@ -14,6 +14,7 @@ from enum import StrEnum
 from pathlib import Path, PurePosixPath
 
 from symnav import __version__
+from symnav.emit.storing import store
 from symnav.errors import InputError
 
 MANIFEST = "manifest.json"
@@ -122,12 +123,12 @@ def write_results(package: Path, text: Mapping[str, str]) -> None:
     for path in results(package):
         (package / path).unlink(missing_ok=True)
     for path, record in text.items():
-        (package / path).write_text(record, encoding="utf-8")
+        store(package / path, record.encode())
     content = {
         "proven": _digest((package / MANIFEST).read_bytes()),
         "files": {path: _digest(text[path].encode()) for path in sorted(text)},
     }
-    (package / RESULTS).write_text(json.dumps(content, indent=2) + "\n", encoding="utf-8")
+    store(package / RESULTS, f"{json.dumps(content, indent=2)}\n".encode())
 
 
 def check(package: Path, spec_digest: str | None) -> CheckReport:

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from symnav.emit import manifest
+from symnav.emit.storing import store
 from symnav.errors import HandEditedError, InputError
 
 
@@ -68,14 +69,10 @@ def _same(path: Path, content: str) -> bool:
 
 
 def _replace(folder: Path, complete: Mapping[str, str], stale: Sequence[str]) -> None:
-    """Every file through a temporary name in its folder; the manifest last."""
+    """Every file whole; the manifest last."""
     order = sorted(complete, key=lambda path: path == manifest.MANIFEST)
     for path in order:
-        target = folder / path
-        target.parent.mkdir(parents=True, exist_ok=True)
-        partial = target.with_name(f".{target.name}.partial")
-        partial.write_bytes(complete[path].encode())
-        partial.replace(target)
+        store(folder / path, complete[path].encode())
     for path in stale:
         (folder / path).unlink(missing_ok=True)
     for path in stale:

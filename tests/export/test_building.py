@@ -145,6 +145,28 @@ def test_a_warning_fails_the_check(model: str, scalar: str, bundle: Path) -> Non
 
 @needs_make
 @pytest.mark.parametrize(("model", "scalar"), cases(ONE, ()))
+def test_another_compiler_or_other_flags_make_everything_again(
+    model: str, scalar: str, bundle: Path
+) -> None:
+    """What an earlier compiler left is neither tested nor kept."""
+    last = run(["make", "-s", "check"], bundle).splitlines()[-1]
+    assert last.endswith("1 test programs passed with cc")
+    assert "-c" not in run(["make", "check"], bundle).split()
+    optimised = run(["make", "check", "CFLAGS=-std=c99 -O1 -DTEXT='a b'"], bundle).split()
+    sources = len(build_files.sources(records_of(model, scalar)))
+    assert optimised.count("-c") == sources
+    words = ["make", "-s", "check", "CC=no-such-compiler"]
+    done = subprocess.run(words, cwd=bundle, capture_output=True, text=True, check=False)
+    assert done.returncode != 0 and "passed" not in done.stdout
+    run(["make", "-s"], bundle)
+    words = ["make", "-s", "AR=no-such-archiver"]
+    assert subprocess.run(words, cwd=bundle, capture_output=True, check=False).returncode != 0
+    assert run(["make"], bundle).split().count("-c") == sources
+    assert "Nothing to be done" in run(["make"], bundle)
+
+
+@needs_make
+@pytest.mark.parametrize(("model", "scalar"), cases(ONE, ()))
 def test_a_failed_test_program_fails_the_check(model: str, scalar: str, bundle: Path) -> None:
     (bundle / "test").mkdir(exist_ok=True)
     for code in (0, 1):  # whatever the program after it says

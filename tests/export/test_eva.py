@@ -5,13 +5,15 @@ from __future__ import annotations
 import math
 import os
 import re
+import subprocess
 from pathlib import Path
 
 import pytest
 
 from symnav import pipeline
+from symnav.emit.templates import directory
 from symnav.export.runners import Verdict
-from symnav.export.runners.eva import Eva, entries_of, parse
+from symnav.export.runners.eva import ASSUMPTIONS, Eva, entries_of, parse
 from tests.export.bundles import MODELS, SCALARS, copy_of, replace_in
 
 _ALL = bool(os.environ.get("SYMNAV_ALL_PROOFS"))
@@ -68,6 +70,91 @@ def test_a_nan_has_no_bound() -> None:
 )
 def test_whatever_is_open_does_not_pass(output: str, code: int) -> None:
     assert not parse("eva_a", output, code).passed
+
+
+@pytest.mark.parametrize(
+    "output",
+    [
+        "[eva:alarm] a.c:3: Warning: \n  division by zero.\n" + summary(alarms=1),
+        summary(valid=5, unknown=1),
+    ],
+)
+def test_what_is_open_explains_the_exit_status(output: str) -> None:
+    """The script fails because of it: no second finding says that it did."""
+    analysis = parse("eva_a", output, 1)
+    assert not analysis.passed
+    assert not any("the analysis ended" in alarm for alarm in analysis.alarms)
+
+
+def script(folder: Path, said: str, code: int, *names: str) -> subprocess.CompletedProcess[str]:
+    """Run the script of a bundle with a Frama-C that says this, whatever it is asked."""
+    tool = folder / "bin" / "frama-c"
+    tool.parent.mkdir(exist_ok=True)
+    tool.write_text(f"#!/bin/sh\ncat <<'END'\n{said}\nEND\nexit {code}\n")
+    tool.chmod(0o755)
+    return subprocess.run(
+        ["sh", "proof/run_eva.sh", *names],
+        cwd=folder,
+        env={**os.environ, "PATH": f"{tool.parent}{os.pathsep}{os.environ['PATH']}"},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+@pytest.mark.parametrize(
+    ("said", "code", "verdict"),
+    [
+        (summary(), 0, "proven: 0 alarms, 7 properties shown, 0 not shown"),
+        (summary(alarms=2), 0, "NOT PROVEN: 2 alarms, 7 properties shown, 0 not shown"),
+        (
+            summary(valid=5, unknown=1),
+            0,
+            "NOT PROVEN: 0 alarms, 6 properties shown, 1 not shown",
+        ),
+        (
+            summary(valid=0).replace("1 valid", "0 valid"),
+            0,
+            "NOT PROVEN: 0 alarms, 0 properties shown, 0 not shown",
+        ),
+        (
+            summary(),
+            4,
+            "NOT PROVEN: 0 alarms, 7 properties shown, 0 not shown; frama-c ended with 4",
+        ),
+        (
+            "[kernel] User Error: cannot parse",
+            0,
+            "NOT PROVEN: 0 alarms, 0 properties shown, 0 not shown; frama-c ended with 0",
+        ),
+    ],
+)
+def test_the_exit_status_of_the_script_is_the_verdict(
+    said: str, code: int, verdict: str, tmp_path: Path
+) -> None:
+    folder = copy_of("reference_relative", "double", tmp_path)
+    entries = entries_of(folder)
+    done = script(folder, said, code)
+    assert done.returncode == int(verdict.startswith("NOT")), done.stdout
+    lines = [line for line in done.stdout.splitlines() if line.startswith("== eva_")]
+    assert lines[1::2] == [f"== {entry}: {verdict}" for entry in entries]
+    assert parse(entries[0], done.stdout, done.returncode).passed == (done.returncode == 0)
+
+
+def test_a_name_that_is_unknown_fails_the_script(tmp_path: Path) -> None:
+    folder = copy_of("reference_relative", "double", tmp_path)
+    done = script(folder, summary(), 0, entries_of(folder)[0], "eva_misspelt")
+    assert done.returncode == 1 and "eva_misspelt" in done.stderr
+    assert script(folder, summary(), 0, entries_of(folder)[0]).returncode == 0
+
+
+def test_what_is_written_for_the_proof_alone_is_assumed() -> None:
+    """Checks that the analysis sees otherwise than a compiler are named in the record."""
+    helpers = (directory() / "c" / "helpers").glob("*.j2")
+    other = {path.stem for path in helpers if "#ifdef __FRAMAC__" in path.read_text()}
+    assert other == {"is_within", "is_centred"}
+    (assumption,) = [text for text in ASSUMPTIONS if "__FRAMAC__" in text]
+    assert all(name in assumption for name in other) and "magnitude" in assumption
 
 
 @pytest.mark.parametrize("scalar", SCALARS)

@@ -11,6 +11,7 @@ from symnav.export.runners import RUNNERS, Record, Runner, Verdict
 from symnav.export.runners.compilers import Analyser, Stack, Warnings
 from symnav.export.runners.linters import ClangTidy, Cppcheck, Lizard
 from tests.export.bundles import MODELS, SCALARS, copy_of, replace_in
+from tests.export.bundles import run as shell
 
 QUICK: tuple[Runner, ...] = (Warnings(), Stack(), Lizard(), ClangTidy())
 AS_GCC = Cppcheck(defined=("-D__GNUC__",))
@@ -79,6 +80,25 @@ def test_a_number_without_suffix_fails_in_single_precision_only(tmp_path: Path) 
     record = run(Warnings(), single)
     assert record.verdict is Verdict.FAILED
     assert any("unsuffixed" in finding for finding in record.findings)
+
+
+@pytest.mark.parametrize(
+    ("model", "scalar"),
+    [("reference_relative", "double"), ("reference_relative", "float"), ("rover", "float")],
+)
+def test_the_command_has_the_flags_of_the_record(model: str, scalar: str, tmp_path: Path) -> None:
+    """What is asked of single precision alone as well, and it covers every source."""
+    folder = copy_of(model, scalar, tmp_path)
+    record = run(Warnings(), folder)
+    flags = record.details["flags"]
+    assert isinstance(flags, list)
+    words = record.command.split()
+    assert {word for word in words if word.startswith("-W")} == set(flags)
+    assert ("-Wunsuffixed-float-constants" in flags) == (scalar == "float")
+    assert f"under {len(flags)} flags" in record.shown
+    shell(["sh", "-c", record.command], folder)
+    sources = {path.stem for path in (folder / "src").glob("*.c")}
+    assert {path.stem for path in folder.glob("*.o")} == sources
 
 
 def test_what_does_not_compile_fails(small: Path) -> None:

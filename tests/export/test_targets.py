@@ -126,6 +126,23 @@ def test_a_bundle_on_a_target(tmp_path: Path) -> None:
     assert {unit.scalar for unit in record.units} == {"float"}
 
 
+@on_target
+def test_other_flags_make_everything_again_for_a_target(tmp_path: Path) -> None:
+    """What other flags left is not run."""
+    folder = quick(tmp_path)
+
+    def made(*words: str) -> subprocess.CompletedProcess[str]:
+        command = ["make", "check-m4", *words]
+        return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+
+    first, again, other = made(), made(), made("CFLAGS=-O1")
+    assert "emulated cortex-m4 with arm-none-eabi-gcc" in first.stdout
+    assert "-c" not in again.stdout.split() and "passed" in again.stdout
+    assert other.stdout.split().count("-c") == first.stdout.split().count("-c") > 3
+    missing = made("CROSS=no-such-")
+    assert missing.returncode != 0 and "passed" not in missing.stdout
+
+
 @pytest.mark.slow
 @on_target
 @CPUS

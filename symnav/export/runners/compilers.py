@@ -57,6 +57,18 @@ def _compile(flags: Sequence[str], source: str, out: str) -> list[str]:
     return [tools.find("gcc"), *BASE, *flags, "-c", source, "-o", out]
 
 
+def _repeated(folder: Path, extra: Sequence[str]) -> str:
+    """How to repeat by hand what is asked; sources in single precision are asked for more."""
+    sources = tools.sources(folder)
+    single = [source for source in sources if tools.in_float(folder, source)]
+    parts = [(single, FLOAT_WARNINGS), ([one for one in sources if one not in single], ())]
+    asked = [(chosen, own) for chosen, own in parts if chosen]
+    return " && ".join(
+        " ".join(("gcc", *BASE, *extra, *own, "-c", *(chosen if len(asked) > 1 else ["src/*.c"])))
+        for chosen, own in asked
+    )
+
+
 def _heard(folder: Path, extra: Sequence[str]) -> list[str]:
     """What gcc says about every source; that it compiled nothing is said as well."""
     found: list[str] = []
@@ -86,22 +98,23 @@ class Warnings:
     def run(self, folder: Path) -> Record:
         """Compile every source with every warning."""
         version = tools.version([tools.find("gcc"), "--version"])
-        command = " ".join(["gcc", *BASE, *WARNINGS, "-c src/*.c"])
+        command = _repeated(folder, WARNINGS)
         asked = _compile((*WARNINGS, *FLOAT_WARNINGS), controls.NAME, "control.o")
         if doubts := WARNS.doubts(version, asked):
             return WARNS.distrusted(self.name, version, command, doubts)
         findings = _heard(folder, WARNINGS)
         count = len(tools.sources(folder))
+        flags = [flag for flag in (*WARNINGS, *FLOAT_WARNINGS) if flag in command.split()]
         return Record(
             self.name,
             version,
             Verdict.FAILED if findings else Verdict.PASSED,
-            f"{len(findings)} warnings in {count} sources under {len(WARNINGS)} flags",
+            f"{len(findings)} warnings in {count} sources under {len(flags)} flags",
             command,
             findings=tuple(findings),
             details={
                 "sources": count,
-                "flags": [*WARNINGS, *FLOAT_WARNINGS],
+                "flags": flags,
                 "planted": list(WARNS.planted),
             },
         )
@@ -120,7 +133,7 @@ class Analyser:
     def run(self, folder: Path) -> Record:
         """Analyse every source."""
         version = tools.version([tools.find("gcc"), "--version"])
-        command = " ".join(["gcc", *BASE, "-fanalyzer", "-c src/*.c"])
+        command = _repeated(folder, ("-fanalyzer",))
         asked = _compile(("-fanalyzer",), controls.NAME, "control.o")
         if doubts := ANALYSES.doubts(version, asked):
             return ANALYSES.distrusted(self.name, version, command, doubts)
@@ -182,7 +195,7 @@ class Stack:
             Verdict.FAILED if findings or not depths else Verdict.PASSED,
             f"{len(depths)} entry points without recursion; deepest {deepest} with "
             f"{depths.get(deepest, 0)} bytes",
-            " ".join(["gcc", *BASE, "-fcallgraph-info=su -c src/*.c"]),
+            _repeated(folder, ("-fcallgraph-info=su",)),
             assumptions=(
                 "Frames are those of this compiler for this machine; functions of the C library "
                 "are not counted.",

@@ -29,6 +29,14 @@ FLAGS = (
 )
 
 
+UNION = (
+    "A line, a way of a branch or a condition counts once, however many copies of it there are: as "
+    "covered when it is in any of the places that include or inline it. Counts of llvm-cov itself "
+    "add up the copies."
+)
+"""What a count of something that several files include rests on."""
+
+
 @dataclass(frozen=True)
 class Count:
     """How many of some things were reached."""
@@ -111,6 +119,27 @@ class _Tools:
 def available() -> bool:
     """True when a clang with its coverage tools is installed."""
     return _tools() is not None
+
+
+def command() -> str:
+    """How to repeat a measurement by hand, from the folder of a bundle.
+
+    What is counted is left in ``build/coverage.json`` (branches and conditions) and in
+    ``build/coverage.info`` (lines).
+    """
+    tools = _tools() or _Tools("clang", "llvm-profdata", "llvm-cov")
+    made = "build/coverage"
+    export = f"{tools.cov} export {made} -instr-profile={made}.profile"
+    return " && ".join(
+        (
+            "mkdir -p build",
+            f"{tools.clang} {' '.join(FLAGS)} -Iinclude -Itest src/*.c test/test_*.c -lm -o {made}",
+            f"LLVM_PROFILE_FILE={made}.raw {made}",
+            f"{tools.profdata} merge {made}.raw -o {made}.profile",
+            f"{export} -skip-expansions -skip-functions > {made}.json",
+            f"{export} -format=lcov > {made}.info",
+        )
+    )
 
 
 def measure(folder: Path) -> Coverage:

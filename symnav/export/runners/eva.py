@@ -84,22 +84,25 @@ class Eva:
             f"{len(analyses)} entry points, {proven} properties, "
             f"{sum(len(one.alarms) for one in analyses)} alarms; outputs within {widest:.3g}",
             f"sh {SCRIPT}",
-            assumptions=_ASSUMPTIONS,
+            assumptions=ASSUMPTIONS,
             findings=tuple(findings),
             details={one.entry: _details(one) for one in analyses},
         )
 
 
-_ASSUMPTIONS = (
+ASSUMPTIONS = (
     "IEEE 754 arithmetic, rounding to nearest; no -ffast-math. Sizes of types as on x86_64.",
     "sqrt is correctly rounded; of other functions of math.h Eva's own specification is used.",
     "sine_of and cosine_of, where they occur, are called within their limit and end in a finite "
     "number: shown. That it is from -1 to 1 is their contract, which tests of symnav hold against "
     "every float and against samples of doubles.",
     "Pointers that are not null point to arrays as large as the header says, which do not overlap.",
-    "Under __FRAMAC__ a range check also compares the value with itself: by IEEE 754 a NaN fails "
-    "the comparisons already, which Eva 25 does not conclude. What is copied after it has passed "
-    "its checks is selected there once more, by the same comparisons of the same numbers.",
+    "Under __FRAMAC__ range checks are written differently. is_within also compares the value with "
+    "itself: by IEEE 754 a NaN fails the others already, which Eva 25 does not conclude. "
+    "is_centred does so as well, and makes two comparisons, with either bound, where what is "
+    "compiled compares the magnitude with one: by IEEE 754 that is the same. What is copied after "
+    "it has passed its checks is selected there once more, by the same comparisons of the same "
+    "numbers.",
     "Items: every count from 0 to the maximum. Single differences: counts and references that the "
     "driver lists. Many epochs: as many as the driver lists, with inputs apart and the same.",
 )
@@ -121,20 +124,29 @@ def analyse(folder: Path, entry: str) -> Analysis:
 
 
 def parse(entry: str, output: str, code: int) -> Analysis:
-    """Read what an analysis printed."""
+    """Read what an analysis printed.
+
+    Args:
+        entry: name of the driver.
+        output: of the script.
+        code: its exit status, which tells of anything open; nothing new where that was found.
+    """
     alarms = [f"{m[1]}: {' '.join(m[2].split())}" for m in _ALARM.finditer(output)]
     counted = _ALARMS.search(output)
-    if code or counted is None:
-        alarms.append(f"the analysis ended with {code}: {' '.join(output.split())[-300:]}")
-    elif int(counted[1]) and not alarms:
+    if counted and int(counted[1]) and not alarms:
         alarms.append(f"{counted[1]} alarms")
     properties = [[int(n) for n in found] for found in _PROPERTIES.findall(output)]
+    unproven = sum(unknown + invalid for _, unknown, invalid in properties)
+    proven = sum(valid for valid, _, _ in properties)
+    explained = alarms or unproven or not proven
+    if counted is None or (code and not explained):
+        alarms.append(f"the analysis ended with {code}: {' '.join(output.split())[-300:]}")
     statuses = {int(n) for found in _STATUS.findall(output) for n in found.split("; ")}
     return Analysis(
         entry,
         tuple(alarms),
-        sum(unknown + invalid for _, unknown, invalid in properties),
-        sum(valid for valid, _, _ in properties),
+        unproven,
+        proven,
         tuple(sorted(statuses)),
         _bounds(_SHOWN.findall(output)),
     )

@@ -15,6 +15,7 @@ from symnav.export.runners.records import Record, Verdict, broken
 
 _C99 = ("-std=c99", "-O2", "-ffp-contract=off")
 _CHECKED = ("-std=c99", "-O1", "-g", "-ffp-contract=off")
+_PROGRAM = "build/tests"
 _SUMMARY = re.compile(r"(\w+): (\d+) checks, (\d+) failures")
 
 
@@ -43,6 +44,18 @@ class Way:
         """What builds it, from the folder of the bundle."""
         compiler = tools.find(*self.compilers)
         return [compiler, *self.flags, "-Iinclude", "-Itest", *sources, "-lm", "-o", program]
+
+    def repeated(self) -> str:
+        """How to repeat it by hand, from the folder of the bundle."""
+        sources = ("src/*.c", "test/test_*.c")
+        name, *words = self.command(sources, _PROGRAM)
+        return " ".join((Path(name).name, *words, "&&", *self.under, _PROGRAM))
+
+    def versions(self) -> tuple[str, ...]:
+        """What its compiler, and what the program runs under, say about themselves."""
+        asked = [(tools.find(*self.compilers), "--version")]
+        asked += [(tools.find(word), "--version") for word in self.under[:1]]
+        return tuple(tools.version(command) for command in asked)
 
 
 WAYS = (
@@ -86,20 +99,30 @@ class HostTests:
         without = f"; left out: {', '.join(left_out)}" if left_out else ""
         return Record(
             self.name,
-            tools.version([tools.find("gcc", "clang", "tcc"), "--version"]),
+            "; ".join(dict.fromkeys(version for way in ways for version in way.versions())),
             Verdict.FAILED if findings else Verdict.PASSED,
             f"{checks} checks passed with {', '.join(said)}{without}"
             if not findings
             else f"the test program fails in {len(findings)} of {len(said)} ways",
-            "make check",
+            " && ".join(("mkdir -p build", *(way.repeated() for way in ways))),
             assumptions=("The golden vectors were judged against 50 digits when they were made.",),
             findings=findings,
             details={
                 "checks": checks,
-                "ways": [{"name": w.name, "flags": w.flags, "under": w.under} for w in ways],
+                "ways": [_described(way) for way in ways],
                 "left out": left_out,
             },
         )
+
+
+def _described(way: Way) -> dict[str, object]:
+    return {
+        "name": way.name,
+        "version": "; ".join(way.versions()),
+        "command": way.repeated(),
+        "flags": way.flags,
+        "under": way.under,
+    }
 
 
 def _tried(way: Way, folder: Path, sources: Sequence[str], program: str) -> str:
@@ -135,8 +158,7 @@ class Reach:
         try:
             found = coverage.measure(folder)
         except (BuildError, ProofError) as error:
-            command = "the test program under clang's source-based coverage"
-            return broken(self.name, command, str(error))
+            return broken(self.name, coverage.command(), str(error))
         total = found.total
         findings = tuple(
             f"{file.path}: {kind} {count.reached} of {count.total}"
@@ -150,7 +172,8 @@ class Reach:
             found.tool,
             Verdict.PASSED if found.is_complete else Verdict.FAILED,
             f"{counted} (MC/DC) reached",
-            f"clang {' '.join(coverage.FLAGS)} -Iinclude -Itest src/*.c test/test_*.c -lm",
+            coverage.command(),
+            assumptions=(coverage.UNION,),
             findings=findings,
             details={kind: [c.reached, c.total] for kind, c in _counts(total)},
         )
