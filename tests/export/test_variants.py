@@ -122,7 +122,7 @@ def test_old_files_go_and_made_ones_stay(tmp_path: Path) -> None:
     """Another specification in the same folder leaves nothing of the first behind."""
     pipeline.export(one(name="first"), tmp_path)
     run(["make", "-s"], tmp_path)
-    pipeline.export(one(name="second"), tmp_path)
+    pipeline.export(one(name="second"), tmp_path, force=True)
     assert not any("first" in path for path in files(tmp_path) if not path.startswith("build/"))
     assert (tmp_path / "build/libfirst.a").is_file()
     check(tmp_path)
