@@ -347,7 +347,7 @@ def bundle(
         modules = [_all_guarded_by(module, where) for module in modules]
     progress("bound")
     modules = [replace(with_bounds(module), batches=batches) for module in modules]
-    refuse_beyond(modules, accepted)
+    refuse_beyond(spec, modules, accepted)
     progress("emit")
     trees = tuple(_tree(module) for module in modules)
     derivations = (*derived.layout, *derived.entries)

@@ -113,6 +113,7 @@ class Model:
         differentiated: roles the equation itself differentiates by (rates, covariance maps).
         frame_rule: completes the frames of roles that no binding decides; see ``no_rule``.
         scenes: what the samples of a proof should hold beyond ranges and edges.
+        relative: model of the same relative to a reference point, which rounding moves less.
     """
 
     name: str
@@ -134,6 +135,7 @@ class Model:
         field(default=lambda known, axes, level: no_rule(known, axes, level))
     )
     scenes: tuple[Scene, ...] = ()
+    relative: str = ""
 
     def role(self, name: str) -> Role:
         """The role of that name."""

@@ -250,6 +250,7 @@ MODELS = (
         frame_rule=_frames,
         conventions=_conventions,
         scenes=_scenes("satellite_position"),
+        relative="pseudorange_relative",
     ),
     Model(
         name="pseudorange_relative",

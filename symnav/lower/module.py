@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 from symnav import __version__, ir
 from symnav.derive import Derivation
 from symnav.lower import signature
+from symnav.lower.precision import refuse_lost
 from symnav.spec.records import Spec
 
 Lower = Callable[[Spec, Derivation], ir.Function]
@@ -19,13 +20,18 @@ def module(
     functions: Sequence[ir.Function],
     scalar: ir.Scalar = ir.Scalar.DOUBLE,
 ) -> ir.Module:
-    """Collect lowered functions; the single-precision module leaves out what must be double."""
+    """Collect lowered functions; the single-precision module leaves out what must be double.
+
+    Raises:
+        SpecError: when a declared range or a constant does not survive single precision.
+    """
     name = spec.name
     chosen = tuple(functions)
     if scalar is ir.Scalar.FLOAT:
         name = f"{spec.name}_f32"
         only_double = {e.name for e in spec.entries if scalar.value not in e.scalars}
         chosen = tuple(f for f in functions if f.name not in only_double)
+        refuse_lost(spec, chosen)
     return ir.Module(
         name, scalar, signature.state(spec), chosen, digest(spec), f"symnav {__version__}"
     )

@@ -18,6 +18,8 @@ from symnav.cli import main
 from symnav.emit.c.rounding import rounding_text, upwards
 from symnav.errors import InputError
 from symnav.export import Tolerance
+from symnav.spec import loads
+from symnav.spec.records import Spec
 
 NARROW = """
 name = "lander"
@@ -140,8 +142,10 @@ def test_tolerance_names_every_value_beyond_it_and_writes_nothing(tmp_path: Path
     text = " ".join(result.output.split())
     assert "rover_f32_gps, value: 0.004 m" in text
     assert "rover_f32_imu, value: " in text and "m/s^2" in text
-    for remedy in ("narrower ranges", "relative form", "double"):
+    for remedy in ("narrower ranges", "range in [[state]] and [[input]]", "export in double"):
         assert remedy in text
+    # There is no relative form of either equation.
+    assert "relative form" not in text
     # Jacobians, and what the user has no say in, do not count; the range is in double.
     assert "jacobian" not in text and "retract" not in text and "rover_range" not in text
 
@@ -152,8 +156,44 @@ def test_tolerance_names_what_has_no_range(tmp_path: Path) -> None:
     )
     assert result.exit_code == 2
     text = " ".join(result.output.split())
-    assert "ekf_cal_gps_f32_gps, residual: 33 m (measured may be as large as 1e+09)" in text
+    wide = "(measured may be as large as 1e+09; declare a narrower range in [[input]])"
+    assert f"ekf_cal_gps_f32_gps, residual: 33 m {wide}" in text
     assert "gps, value" not in text
+
+
+def refused(spec: Spec, scalar: str, number: float) -> tuple[dict[str, str], str]:
+    """What the refusal says of each value of the measurement ``range``, and its advice."""
+    with pytest.raises(InputError) as caught:
+        pipeline.bundle(spec, scalar, Tolerance(None, {"range": number}))
+    head, *lines, advice = str(caught.value).splitlines()
+    assert head.startswith("rounding may move")
+    return dict(line.split(", ", 1)[1].split(": ", 1) for line in lines), advice
+
+
+def test_hints_name_what_the_value_reads() -> None:
+    """The measured value is no business of the predicted one."""
+    text = (pipeline._models() / "reference_relative.toml").read_text(encoding="utf-8")
+    said, _ = refused(loads(text.replace("range = [-2e5, 2e5]", "range = [-1e9, 1e9]")), "float", 1)
+    assert list(said) == ["residual"] and "measured may be as large as 1e+09" in said["residual"]
+    wide = text.replace("range = [-4.6e7, 4.6e7]", "range = [-1e8, 1e8]")
+    said, _ = refused(loads(wide.replace("range = [1.7e7,", "range = [1e3,")), "float", 1e-9)
+    hint = "(satellite_difference, satellite_xy may be as large as 1e+08; declare a narrower range"
+    assert hint in said["value"] and "measured" not in said["value"]
+    wide = text.replace("range = [-3e4, 3e4]", "range = [-1e8, 1e8]")
+    said, _ = refused(loads(wide), "float", 1e-9)
+    hint = "(position may be as large as 1e+08; declare a narrower range in [[state]])"
+    assert said["value"].endswith(hint)
+
+
+def test_what_helps_depends_on_what_is_refused() -> None:
+    """Only a plain pseudorange has a relative form; double is no way out of double."""
+    said, advice = refused(pipeline.load("reference_relative"), "float", 1e-9)
+    assert said["value"] == "0.2 m above 1e-09 m"
+    assert "relative form" not in advice and "export in double" in advice
+    assert "(range in [[state]] and [[input]])" in advice
+    said, advice = refused(pipeline.load("rover"), "double", 1e-12)
+    assert "the relative form of an equation (pseudorange_relative)" in advice
+    assert "export in double" not in advice
 
 
 def test_a_tolerance_that_is_kept_changes_nothing(tmp_path: Path) -> None:

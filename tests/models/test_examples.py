@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import re
 from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType
@@ -11,6 +12,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from symnav import pipeline
+from symnav.spec import loads
 from tests.models.conftest import Package
 from tests.models.formulas import SEEDS, Array, close, generator, matrix, quaternion, skew
 
@@ -190,6 +193,16 @@ def test_relative_ranges_in_single_precision(
         )  # fmt: skip
         assert got.value.dtype == dtype
         np.testing.assert_allclose(got.value, truth, rtol=0, atol=tolerance, err_msg=backend)
+
+
+def test_relative_ranges_take_their_arguments_in_the_order_of_the_model() -> None:
+    """Declaring inputs, for their ranges, must not move the parameters of the C."""
+    spec = pipeline.load("reference_relative")
+    text = (pipeline._models() / "reference_relative.toml").read_text(encoding="utf-8")
+    undeclared = loads(re.sub(r"\[\[input\]\]\n(\w.*\n)+\n", "", text))
+    assert list(spec.inputs) == list(undeclared.inputs)
+    (declared,) = pipeline.derive(spec).entries
+    assert declared.arguments == pipeline.derive(undeclared).entries[0].arguments
 
 
 def test_plain_ranges_would_lose_metres() -> None:

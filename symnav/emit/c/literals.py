@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import math
-import struct
 
-from symnav import errors, ir
+from symnav import errors, ir, single
 
-_FLOAT_MAX = 3.4028234663852886e38
 _DOUBLE_MAX = 1.7976931348623157e308
 
 
@@ -57,7 +55,7 @@ def bounds(lower: float, upper: float, scalar: ir.Scalar) -> tuple[str, str]:
     if scalar is ir.Scalar.DOUBLE:
         low, high = max(lower, -_DOUBLE_MAX), min(upper, _DOUBLE_MAX)
     else:
-        low, high = _up(lower), _down(upper)
+        low, high = single.not_below(lower), single.not_above(upper)
         if low > high:
             low = high = _to_float(0.5 * (lower + upper))
     return literal(low, scalar), literal(high, scalar)
@@ -74,18 +72,17 @@ def _nearest(end: float, scalar: ir.Scalar) -> float:
     """The finite number of the type nearest to an end, zero only for zero."""
     if scalar is ir.Scalar.DOUBLE:
         return min(max(end, -_DOUBLE_MAX), _DOUBLE_MAX)
-    nearest = _to_float(min(max(end, -_FLOAT_MAX), _FLOAT_MAX))
-    return _step(0.0, upwards=end > 0.0) if nearest == 0.0 != end else nearest
+    nearest = single.nearest(min(max(end, -single.LARGEST), single.LARGEST))
+    return single.neighbour(0.0, upwards=end > 0.0) if nearest == 0.0 != end else nearest
 
 
 def _to_float(value: float) -> float:
     try:
-        (nearest,) = struct.unpack("<f", struct.pack("<f", value))
+        return single.nearest(value)
     except OverflowError:
         raise errors.InputError(
             f"the constant {value!r} does not fit a 32-bit float; generate this function in double"
         ) from None
-    return float(nearest)
 
 
 def _reads_as(text: str, nearest: float) -> bool:
@@ -93,30 +90,6 @@ def _reads_as(text: str, nearest: float) -> bool:
         return _to_float(float(text)) == nearest
     except errors.InputError:  # rounded up, past the largest float
         return False
-
-
-def _up(value: float) -> float:
-    """The smallest float not below ``value``."""
-    if value <= -_FLOAT_MAX:
-        return -_FLOAT_MAX
-    nearest = _to_float(value)
-    return nearest if nearest >= value else _step(nearest, upwards=True)
-
-
-def _down(value: float) -> float:
-    """The largest float not above ``value``."""
-    return -_up(-value)
-
-
-def _step(value: float, *, upwards: bool) -> float:
-    """The neighbour of a float."""
-    (bits,) = struct.unpack("<i", struct.pack("<f", value))
-    if value == 0.0:
-        tiny = struct.unpack("<f", struct.pack("<i", 1))[0]
-        return float(tiny if upwards else -tiny)
-    away = (value > 0.0) == upwards
-    (stepped,) = struct.unpack("<f", struct.pack("<i", bits + (1 if away else -1)))
-    return float(stepped)
 
 
 def _plain(text: str) -> str:

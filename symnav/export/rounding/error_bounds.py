@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import replace
 
 from symnav import errors, ir
+from symnav.binding import STATE
 from symnav.emit.c.kernel import entry_label
 from symnav.emit.c.rounding import unit_of, upwards
 from symnav.emit.c.store import is_jacobian
@@ -15,10 +16,12 @@ from symnav.export.records import Bundle, Tree
 from symnav.export.rounding import bounded
 from symnav.export.rounding.formats import FORMATS
 from symnav.export.rounding.tolerances import Tolerance
+from symnav.lower.passes.walk import nodes
+from symnav.spec.records import Spec
 
 PATH = "proof/error_bounds.json"
 _DIGITS = 3
-_WIDE = 1e9  # the range of what has none
+_WIDE = 1e8  # models and symnav itself give ranges as large as this to what has none
 
 ASSUMPTIONS = (
     "Inputs are inside their declared ranges, quaternions and matrices pass their guards; the "
@@ -49,7 +52,7 @@ def files(bundle: Bundle) -> Mapping[str, str]:
     return {PATH: json.dumps(content, indent=1, ensure_ascii=True) + "\n"}
 
 
-def refuse_beyond(modules: Sequence[ir.Module], tolerance: Tolerance) -> None:
+def refuse_beyond(spec: Spec, modules: Sequence[ir.Module], tolerance: Tolerance) -> None:
     """Raise when a value of a measurement or a correction may err by more than its tolerance.
 
     Jacobians do not count: their errors change how well a filter uses a measurement, not what it
@@ -60,43 +63,88 @@ def refuse_beyond(modules: Sequence[ir.Module], tolerance: Tolerance) -> None:
         InputError: naming every such value, its bound and its unit.
     """
     beyond = [
-        f"  {module.name}_{function.name}, {output.name}: "
-        f"{' '.join(filter(None, (upwards(bound), unit, _own(function, tolerance, unit))))}"
+        (module, function, output)
         for module in modules
         for function in module.functions
         if function.role in (ir.Role.MEASUREMENT, ir.Role.CORRECTION)
         for output in function.outputs
-        if not is_jacobian(output)
-        for bound, unit in [_worst_of(output)]
-        if not tolerance.accepts(function.name, bound)
+        if not is_jacobian(output) and not tolerance.accepts(function.name, _worst_of(output)[0])
     ]
     if beyond:
-        raise errors.InputError("\n".join([_head(beyond, tolerance), *beyond, _ADVICE]))
+        lines = [_line(*one, tolerance) for one in beyond]
+        advice = _advice(
+            {module.scalar for module, _, _ in beyond},
+            _relatives(spec, {function.name for _, function, _ in beyond}),
+        )
+        raise errors.InputError("\n".join([_head(lines, tolerance), *lines, advice]))
 
 
-_ADVICE = (
-    "Declare narrower ranges for what these read, use the relative form of an equation, export in "
-    "double, or accept more with --tolerance, for one function with --tolerance FUNCTION=NUMBER. "
-    "Nothing was written."
-)
-
-
-def _own(function: ir.Function, tolerance: Tolerance, unit: str) -> str:
-    """What the other values do not share: a tolerance of its own, and what has no range."""
+def _line(module: ir.Module, function: ir.Function, output: ir.Output, tolerance: Tolerance) -> str:
+    """A value that may err by too much: its bound, a tolerance of its own, what has no range."""
+    bound, unit = _worst_of(output)
     limit = f"{tolerance.limit(function.name):g} {unit}".rstrip()
     own = f"above {limit}" if function.name in tolerance.own else ""
-    return " ".join(filter(None, (own, _wide(function))))
+    words = " ".join(filter(None, (upwards(bound), unit, own, _wide(function, output))))
+    return f"  {module.name}_{function.name}, {output.name}: {words}"
 
 
-def _wide(function: ir.Function) -> str:
-    """What a function reads that nobody said anything about."""
-    names = [
-        domain.name
-        for argument in function.arguments
-        for domain in argument.domains
-        if domain.kind is ir.Kind.REAL and max(*map(abs, domain.lower + domain.upper)) >= _WIDE
-    ]
-    return f"({', '.join(names)} may be as large as {_WIDE:g})" if names else ""
+def _wide(function: ir.Function, output: ir.Output) -> str:
+    """What an output reads that may be very large, and where to say that it is not."""
+    read = _read(function, output)
+    names: dict[float, list[str]] = {}
+    tables: dict[str, None] = {}
+    for argument in function.arguments:
+        for domain in argument.domains:
+            largest = max(map(abs, domain.lower + domain.upper), default=0.0)
+            is_read = not read.isdisjoint(_elements_of(argument, domain))
+            if domain.kind is ir.Kind.REAL and largest >= _WIDE and is_read:
+                names.setdefault(largest, []).append(domain.name)
+                tables["[[state]]" if argument.name == STATE else "[[input]]"] = None
+    if not names:
+        return ""
+    sizes = (f"{', '.join(some)} may be as large as {size:g}" for size, some in names.items())
+    return f"({', '.join(sizes)}; declare a narrower range in {' and '.join(tables)})"
+
+
+def _elements_of(argument: ir.Argument, domain: ir.Domain) -> set[tuple[str, int]]:
+    return {(argument.name, domain.start + index) for index in range(domain.size)}
+
+
+def _read(function: ir.Function, output: ir.Output) -> set[tuple[str, int]]:
+    """Argument and element of everything that an output depends on, through every step.
+
+    Of a run-time slot the first element it may choose stands for all: they are of one block.
+    """
+    steps = {step.target: step.value for step in (*function.shared, *function.item)}
+    pending = [entry.value for entry in output.entries]
+    found: set[tuple[str, int]] = set()
+    while pending:
+        for node in nodes(pending.pop()):
+            if isinstance(node, ir.Load):
+                index = node.index.base if isinstance(node.index, ir.Offset) else node.index
+                found.add((node.argument, index))
+            elif isinstance(node, ir.Ref) and node.name in steps:
+                pending.append(steps.pop(node.name))
+    return found
+
+
+def _relatives(spec: Spec, names: Set[str]) -> list[str]:
+    """Models that say the same as the equations of some functions relative to a reference."""
+    models = (entry.model.relative for entry in spec.entries if entry.name in names)
+    return list(dict.fromkeys(filter(None, models)))
+
+
+def _advice(scalars: Set[ir.Scalar], relatives: Sequence[str]) -> str:
+    """What can be done about it, of what would help here."""
+    ways = ["Declare narrower ranges for what these read (range in [[state]] and [[input]])"]
+    if relatives:
+        ways.append(f"use the relative form of an equation ({', '.join(relatives)})")
+    if ir.Scalar.FLOAT in scalars:
+        ways.append("export in double")
+    return (
+        f"{', '.join(ways)}, or accept more with --tolerance, for one function with --tolerance "
+        "FUNCTION=NUMBER. Nothing was written."
+    )
 
 
 def _head(beyond: Sequence[str], tolerance: Tolerance) -> str:

@@ -10,10 +10,9 @@ which is at most u |v| where v is not tiny, and half the smallest number of the 
 from __future__ import annotations
 
 import math
-import struct
 from dataclasses import dataclass
 
-from symnav import ir
+from symnav import ir, single
 from symnav.export.rounding.intervals import (
     EVERYTHING,
     INFINITY,
@@ -64,28 +63,16 @@ class Format:
 
     def literal(self, value: float) -> float:
         """The number of the type that a literal is read as."""
-        return value if self.bits == 53 else _to_float(value)
+        return value if self.bits == 53 else single.nearest(value)
 
     def _up(self, value: float) -> float:
         """A number of the type that is not below ``value``, the least one but for one step."""
         if self.bits == 53:
             return value
-        nearest = _to_float(value)
-        if nearest >= value:
-            return nearest
-        return 2.0**-149 if nearest == 0.0 else _float_above(nearest)
-
-
-def _to_float(value: float) -> float:
-    return float(struct.unpack("<f", struct.pack("<f", value))[0])
-
-
-def _float_above(value: float) -> float:
-    (bits,) = struct.unpack("<i", struct.pack("<f", value))
-    return float(struct.unpack("<f", struct.pack("<i", bits + (1 if value > 0.0 else -1)))[0])
+        return single.not_below(value)
 
 
 FORMATS = {
-    ir.Scalar.FLOAT: Format(24, 3.4028234663852886e38, 2.0**-150),
+    ir.Scalar.FLOAT: Format(24, single.LARGEST, 2.0**-150),
     ir.Scalar.DOUBLE: Format(53, 1.7976931348623157e308, 2.0**-1074),
 }

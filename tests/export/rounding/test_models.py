@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import replace
 from functools import cache
 
@@ -101,16 +102,13 @@ def test_attitudes_keep_their_precision_across_the_switches() -> None:
 
 
 def test_declared_ranges_decide() -> None:
-    """The relative form in single precision: metres or millimetres, as the ranges say."""
+    """The relative form in single precision: kilometres or decimetres, as the ranges say."""
+    near = bounds(named("reference_relative", "range"), FLOAT)
+    assert max(near[name][0].bound for name in ("value", "residual")) < 0.25
+    assert max(entry.bound for entry in near["jacobian"]) < 2.0
     text = (pipeline._models() / "reference_relative.toml").read_text(encoding="utf-8")
-    declared = (
-        '[[input]]\nname = "reference_range"\nsize = 1\nunit = "m"\nrange = [1.9e7, 3e7]\n'
-        '[[input]]\nname = "satellite_difference"\nsize = 3\nunit = "m"\nframe = "e"\n'
-        "range = [-3e7, 3e7]\n"
-        '[[input]]\nname = "satellite_xy"\nsize = 2\nunit = "m"\nrange = [-3e7, 3e7]\n'
-    )
-    spec = loads(text.replace("[[measurement]]", declared + "[[measurement]]"))
+    undeclared = re.sub(r"\[\[input\]\]\n(\w.*\n)+\n", "", text)
+    assert undeclared.count("[[input]]") == 0 < text.count("[[input]]")
+    spec = loads(undeclared)
     (function,) = (f for f in pipeline.c_route(spec, pipeline.derive(spec)) if f.name == "range")
-    near = bounds(function, FLOAT)["value"][0].bound
-    assert near < 0.5
-    assert bounds(named("reference_relative", "range"), FLOAT)["value"][0].bound > 1000.0 * near
+    assert bounds(function, FLOAT)["value"][0].bound > 1e5
