@@ -89,3 +89,12 @@ def test_missing_compiler_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPat
     done = CliRunner().invoke(main, ["bench", "warpos_gps"])
     assert done.exit_code == 1
     assert "gcc is needed to measure" in done.stderr
+
+
+@pytest.mark.parametrize("name", [name for name, _ in pipeline.shipped()])
+def test_every_shipped_model_has_records(name: str, tmp_path: Path) -> None:
+    """Samples of its declared ranges that are inside its domain, all eight items of each."""
+    spec = pipeline.load(name)
+    functions = pipeline.import_package(pipeline.generate(spec, tmp_path).package).numpy
+    found = records(spec, pipeline.derive(spec).entries, functions, 8)
+    assert all(len(rows) >= 4 for rows in found.values())
