@@ -12,6 +12,7 @@ from collections.abc import Iterable
 
 from symnav import ir
 from symnav.emit.c import comments
+from symnav.emit.c.items import scaled
 from symnav.emit.c.pieces import call
 
 FETCH_AHEAD = "fetch_ahead"
@@ -22,9 +23,14 @@ Rows = tuple[str, str, str]
 
 
 def argument_rows(arguments: Iterable[ir.Argument], epoch: str) -> list[Rows]:
-    """What is read of one epoch."""
+    """What is read of one epoch: its own numbers, which may be fewer than its step.
+
+    Where all epochs share an argument, it is asked for again, which costs next to nothing.
+    """
     return [
-        (a.name, f"{a.name}_step", f"{epoch} * {a.name}_step") for a in arguments if not a.integer
+        (a.name, scaled(a.size, "n") if a.item else str(a.size), f"{epoch} * {a.name}_step")
+        for a in arguments
+        if not a.integer
     ]
 
 

@@ -13,8 +13,8 @@ from symnav.naming import words
 # Parameters and locals of the entry points and of the functions they call.
 LOCALS = words(
     """
-    base behind block codes common count covariance dense epoch epochs evaluated failed failure
-    first following i in inside item item_status k lane loaded matrix minus n next nonzeros out
+    base block codes common count covariance dense epoch epochs evaluated failed failure
+    first i in inside item item_status k lane loaded matrix minus n next nonzeros out
     outcome outside own reference rest result row shared sigma skewed status stride
     """
 )

@@ -584,12 +584,11 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_batch(
                 const ptrdiff_t next = epoch + 1;
 
                 if (next < epochs) {
-                    fetch_ahead(x_step, &x[next * x_step]);
-                    fetch_ahead(c_n_e_step, &c_n_e[next * c_n_e_step]);
-                    fetch_ahead(origin_step, &origin[next * origin_step]);
-                    fetch_ahead(satellite_position_step,
-                        &satellite_position[next * satellite_position_step]);
-                    fetch_ahead(measured_step, &measured[next * measured_step]);
+                    fetch_ahead(18, &x[next * x_step]);
+                    fetch_ahead(9, &c_n_e[next * c_n_e_step]);
+                    fetch_ahead(3, &origin[next * origin_step]);
+                    fetch_ahead(3 * n, &satellite_position[next * satellite_position_step]);
+                    fetch_ahead(n, &measured[next * measured_step]);
                     fetch_ahead(n, &value[next * n]);
                     fetch_ahead(n, &residual[next * n]);
                     fetch_ahead(17 * n, &jacobian[(17 * next) * n]);

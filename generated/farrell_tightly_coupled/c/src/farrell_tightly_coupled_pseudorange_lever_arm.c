@@ -552,12 +552,11 @@ farrell_tightly_coupled_status_t farrell_tightly_coupled_pseudorange_lever_arm_b
                 const ptrdiff_t next = epoch + 1;
 
                 if (next < epochs) {
-                    fetch_ahead(x_step, &x[next * x_step]);
-                    fetch_ahead(c_n_e_step, &c_n_e[next * c_n_e_step]);
-                    fetch_ahead(origin_step, &origin[next * origin_step]);
-                    fetch_ahead(lever_arm_step, &lever_arm[next * lever_arm_step]);
-                    fetch_ahead(satellite_position_step,
-                        &satellite_position[next * satellite_position_step]);
+                    fetch_ahead(18, &x[next * x_step]);
+                    fetch_ahead(9, &c_n_e[next * c_n_e_step]);
+                    fetch_ahead(3, &origin[next * origin_step]);
+                    fetch_ahead(3, &lever_arm[next * lever_arm_step]);
+                    fetch_ahead(3 * n, &satellite_position[next * satellite_position_step]);
                     fetch_ahead(n, &value[next * n]);
                     fetch_ahead(17 * n, &jacobian[(17 * next) * n]);
                 }

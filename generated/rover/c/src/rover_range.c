@@ -597,16 +597,14 @@ rover_status_t rover_range_batch(
                 const ptrdiff_t next = epoch + 1;
 
                 if (next < epochs) {
-                    fetch_ahead(x_step, &x[next * x_step]);
-                    fetch_ahead(nav_to_ecef_step, &nav_to_ecef[next * nav_to_ecef_step]);
-                    fetch_ahead(origin_step, &origin[next * origin_step]);
-                    fetch_ahead(satellite_position_step,
-                        &satellite_position[next * satellite_position_step]);
-                    fetch_ahead(satellite_clock_step,
-                        &satellite_clock[next * satellite_clock_step]);
-                    fetch_ahead(troposphere_step, &troposphere[next * troposphere_step]);
-                    fetch_ahead(ionosphere_step, &ionosphere[next * ionosphere_step]);
-                    fetch_ahead(measured_step, &measured[next * measured_step]);
+                    fetch_ahead(22, &x[next * x_step]);
+                    fetch_ahead(4, &nav_to_ecef[next * nav_to_ecef_step]);
+                    fetch_ahead(3, &origin[next * origin_step]);
+                    fetch_ahead(3 * n, &satellite_position[next * satellite_position_step]);
+                    fetch_ahead(n, &satellite_clock[next * satellite_clock_step]);
+                    fetch_ahead(n, &troposphere[next * troposphere_step]);
+                    fetch_ahead(n, &ionosphere[next * ionosphere_step]);
+                    fetch_ahead(n, &measured[next * measured_step]);
                     fetch_ahead(n, &value[next * n]);
                     fetch_ahead(n, &residual[next * n]);
                     fetch_ahead(21 * n, &jacobian[(21 * next) * n]);

@@ -518,13 +518,11 @@ single_point_status_t single_point_pseudorange_batch(
                 const ptrdiff_t next = epoch + 1;
 
                 if (next < epochs) {
-                    fetch_ahead(x_step, &x[next * x_step]);
-                    fetch_ahead(satellite_position_step,
-                        &satellite_position[next * satellite_position_step]);
-                    fetch_ahead(satellite_clock_step,
-                        &satellite_clock[next * satellite_clock_step]);
-                    fetch_ahead(troposphere_step, &troposphere[next * troposphere_step]);
-                    fetch_ahead(ionosphere_step, &ionosphere[next * ionosphere_step]);
+                    fetch_ahead(4, &x[next * x_step]);
+                    fetch_ahead(3 * n, &satellite_position[next * satellite_position_step]);
+                    fetch_ahead(n, &satellite_clock[next * satellite_clock_step]);
+                    fetch_ahead(n, &troposphere[next * troposphere_step]);
+                    fetch_ahead(n, &ionosphere[next * ionosphere_step]);
                     fetch_ahead(n, &value[next * n]);
                     fetch_ahead(4 * n, &jacobian[(4 * next) * n]);
                 }
