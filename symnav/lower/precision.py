@@ -13,7 +13,7 @@ from itertools import groupby
 from symnav import ir, single
 from symnav.errors import Problem, SpecError
 from symnav.figures import readable
-from symnav.lower.passes.walk import nodes
+from symnav.lower.passes.walk import expressions, nodes
 from symnav.spec.records import Entry, Spec, ToConstant
 
 _REMEDY = "rescale the quantity or use double"
@@ -106,18 +106,11 @@ def _constants(entry: Entry) -> Iterator[Problem]:
 
 def _numbers(function: ir.Function, path: str) -> Iterator[Problem]:
     """Every lost number of the arithmetic itself: of a user's equation, or of folded constants."""
-    every = (node for expression in _expressions(function) for node in nodes(expression))
+    every = (node for expression in expressions(function) for node in nodes(expression))
     for value in dict.fromkeys(node.value for node in every if isinstance(node, ir.Number)):
         fault = _fault_of_number(value)
         if fault is not None:
             yield Problem(path, f"the number {readable(value)} of its equation {fault}; {_REMEDY}")
-
-
-def _expressions(function: ir.Function) -> Iterator[ir.Expression]:
-    for step in (*function.shared, *function.item):
-        yield step.value
-    for output in function.outputs:
-        yield from (entry.value for entry in output.entries)
 
 
 def _path(function: ir.Function) -> str:

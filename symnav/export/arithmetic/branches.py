@@ -16,22 +16,17 @@ from numpy.typing import NDArray
 from symnav import ir
 from symnav.export.arithmetic import walk
 from symnav.export.arithmetic.evaluation import Ieee, Outcome, Rows, evaluate, kind_of, loader
+from symnav.lower.passes.walk import expressions, nodes
 
 Indices = NDArray[np.intp]
 Codes = NDArray[np.int64]
+
+_SINUSOIDS = (ir.Operation.OWN_SIN, ir.Operation.OWN_COS)
 
 #: Halvings of the way between two samples that decide differently.
 HALVINGS = 6
 #: Samples on either side that a way is looked for between.
 TRIES = 3
-
-
-def expressions(function: ir.Function) -> Iterator[ir.Expression]:
-    """Every expression of a function, in its order."""
-    for step in (*function.shared, *function.item):
-        yield step.value
-    for output in function.outputs:
-        yield from (entry.value for entry in output.entries)
 
 
 def decisions(function: ir.Function, scalar: ir.Scalar, outcome: Outcome) -> list[Codes]:
@@ -81,10 +76,10 @@ def quarters(function: ir.Function, scalar: ir.Scalar, outcome: Outcome) -> list
     loads = loader(function, outcome.copies, kind_of(scalar))
     blank = Ieee(scalar, function.checks_domain, np.zeros_like(outcome.status))
     angles = {
-        call.operands[0]: None
+        node.operands[0]: None
         for expression in expressions(function)
-        for call in _calls(expression)
-        if call.operation in (ir.Operation.OWN_SIN, ir.Operation.OWN_COS)
+        for node in nodes(expression)
+        if isinstance(node, ir.Call) and node.operation in _SINUSOIDS
     }
     found = []
     for angle in angles:
@@ -93,13 +88,6 @@ def quarters(function: ir.Function, scalar: ir.Scalar, outcome: Outcome) -> list
         quarter = np.rint(np.where(np.isfinite(turns), turns, 0.0)).astype(np.int64)
         found.append(quarter % 4 + 4 * (turns < 0.0))
     return found
-
-
-def _calls(expression: ir.Expression) -> Iterator[ir.Call]:
-    if isinstance(expression, ir.Call):
-        yield expression
-        for operand in expression.operands:
-            yield from _calls(operand)
 
 
 def decided(taken: Sequence[Codes], sample: int, items: int) -> set[tuple[int, int]]:

@@ -2,15 +2,15 @@
 
 The inputs are samples of the proof, rounded into the type and kept inside the declared ranges:
 random ones, edges, and enough of both that every branch of a selection is taken and sines and
-cosines reach every quarter turn that any of them does. The expected
-bits are those of ``evaluation``; each is also judged against the equation with fifty digits, so
-that what the vectors repeat is right. Behind them stand inputs at which a guard inside a kernel
-fails, where such are found.
+cosines reach every quarter turn that any of them does. The expected bits are those of
+``evaluation``; each is also judged against the equation with fifty digits, so that what the
+vectors repeat is right. Behind them stand inputs at which a guard inside a kernel fails, where
+such are found.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -23,13 +23,7 @@ from symnav.blocks import RotationBlock
 from symnav.derive import Derivation
 from symnav.errors import ProofError
 from symnav.export.arithmetic import rounded
-from symnav.export.arithmetic.branches import (
-    beside_turns,
-    decided,
-    decisions,
-    expressions,
-    quarters,
-)
+from symnav.export.arithmetic.branches import beside_turns, decided, decisions, quarters
 from symnav.export.arithmetic.evaluation import (
     Outcome,
     Rows,
@@ -40,6 +34,7 @@ from symnav.export.arithmetic.evaluation import (
 )
 from symnav.export.arithmetic.slack import slack
 from symnav.export.testing import singular
+from symnav.lower.passes.walk import expressions, nodes
 from symnav.spec.records import Spec
 from symnav.verify.comparison import differences, forget_remainders
 from symnav.verify.exact import DIGITS, Exact
@@ -160,7 +155,8 @@ def _recorded(function: ir.Function, scalar: ir.Scalar, items: int, rows: Rows) 
         argument.name: rows[argument.name] if argument.item else rows[argument.name][::items]
         for argument in function.arguments
     }
-    called = {operation for step in expressions(function) for operation in _operations(step)}
+    every = (node for expression in expressions(function) for node in nodes(expression))
+    called = {node.operation for node in every if isinstance(node, ir.Call)}
     allowed = slack(function, scalar, outcome) if called & rounded.LIBRARY else None
     return Golden(function, scalar, items, inputs, shared, status, outcome.outputs, allowed)
 
@@ -198,13 +194,6 @@ def _refuse_infinite(function: ir.Function, outcome: Outcome) -> None:
             f"{function.name}: a result is not finite although every guard passed; narrow the "
             "declared ranges or generate this function in double"
         )
-
-
-def _operations(expression: ir.Expression) -> Iterator[ir.Operation]:
-    if isinstance(expression, ir.Call):
-        yield expression.operation
-        for operand in expression.operands:
-            yield from _operations(operand)
 
 
 def _chosen(

@@ -17,6 +17,14 @@ def nodes(expression: ir.Expression) -> Iterator[ir.Expression]:
             pending.extend(reversed(node.operands))
 
 
+def expressions(function: ir.Function) -> Iterator[ir.Expression]:
+    """Every expression of a function, in its order."""
+    for step in (*function.shared, *function.item):
+        yield step.value
+    for output in function.outputs:
+        yield from (entry.value for entry in output.entries)
+
+
 def references(expression: ir.Expression) -> Iterator[str]:
     """Names of earlier steps, once for every time they are read."""
     return (node.name for node in nodes(expression) if isinstance(node, ir.Ref))
