@@ -172,10 +172,11 @@ def test_metrics_agree_with_lizard(model: str, scalar: str) -> None:
         assert file["lines"] == len(text.splitlines())
         assert file["bytes"] == len(text.encode())
         found = {f.name: f for f in lizard.analyze_file(str(folder / path)).function_list}
+        lines = text.splitlines()
         if path.startswith("src/"):
             assert found.keys() == file["functions"].keys()
         for name, own in file["functions"].items():
-            if name in ("is_within", "is_centred") or name.endswith("_copy_item"):
+            if "__FRAMAC__" in "".join(lines[found[name].start_line : found[name].end_line]):
                 continue  # lizard reads the branch that only the proof compiles
             assert own["complexity"] == found[name].cyclomatic_complexity, name
             assert own["code"] == found[name].nloc, name

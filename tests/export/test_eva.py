@@ -152,7 +152,10 @@ def test_what_is_written_for_the_proof_alone_is_assumed() -> None:
     """Checks that the analysis sees otherwise than a compiler are named in the record."""
     helpers = (directory() / "c" / "helpers").glob("*.j2")
     other = {path.stem for path in helpers if "#ifdef __FRAMAC__" in path.read_text()}
-    assert other == {"is_within", "is_centred"}
+    assert other == {
+        *("is_within", "is_centred", "is_small", "is_near_quaternion", "is_near_matrix"),
+        *("take_centred", "take_value"),
+    }
     (assumption,) = [text for text in ASSUMPTIONS if "__FRAMAC__" in text]
     assert all(name in assumption for name in other) and "magnitude" in assumption
 

@@ -14,7 +14,7 @@ from symnav.naming import words
 LOCALS = words(
     """
     base block codes common count covariance dense epoch epochs evaluated failed failure
-    first i in inside item item_status k lane loaded matrix minus n next nonzeros out
+    first i in inside item item_status k lane loaded matrix minus n near next nonzeros out
     outcome outside own reference rest result row shared sigma skewed status stride
     """
 )

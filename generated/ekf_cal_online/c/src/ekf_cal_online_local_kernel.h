@@ -168,13 +168,14 @@ EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t local_load(
     in->y_antenna_2_y = y[24];
     in->y_antenna_2_z = y[25];
 
+    const bool near = is_near_quaternion(in->attitude_w, in->attitude_x, in->attitude_y,
+        in->attitude_z, 1.0e-05) && is_near_quaternion(in->y_attitude_w, in->y_attitude_x,
+        in->y_attitude_y, in->y_attitude_z, 1.0e-05);
     bool inside = are_three_centred(in->position_x, in->position_y, in->position_z, 1000000.0);
     inside = inside &&
         are_three_centred(in->velocity_x, in->velocity_y, in->velocity_z, 1000000000.0);
     inside = inside &&
         are_three_centred(in->acceleration_x, in->acceleration_y, in->acceleration_z, 1000000000.0);
-    inside = inside &&
-        are_four_centred(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.00001);
     inside = inside &&
         are_three_centred(in->angular_rate_x, in->angular_rate_y, in->angular_rate_z, 1000000000.0);
     inside = inside && are_three_centred(in->angular_acceleration_x, in->angular_acceleration_y,
@@ -188,8 +189,6 @@ EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t local_load(
         are_three_centred(in->y_velocity_x, in->y_velocity_y, in->y_velocity_z, 1000000000.0);
     inside = inside && are_three_centred(in->y_acceleration_x, in->y_acceleration_y,
         in->y_acceleration_z, 1000000000.0);
-    inside = inside && are_four_centred(in->y_attitude_w, in->y_attitude_x, in->y_attitude_y,
-        in->y_attitude_z, 1.00001);
     inside = inside && are_three_centred(in->y_angular_rate_x, in->y_angular_rate_y,
         in->y_angular_rate_z, 1000000000.0);
     inside = inside && are_three_centred(in->y_angular_acceleration_x, in->y_angular_acceleration_y,
@@ -199,11 +198,16 @@ EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t local_load(
         are_three_centred(in->y_antenna_1_x, in->y_antenna_1_y, in->y_antenna_1_z, 50.0);
     inside = inside &&
         are_three_centred(in->y_antenna_2_x, in->y_antenna_2_y, in->y_antenna_2_z, 50.0);
+    inside = inside && (near || (are_four_centred(in->attitude_w, in->attitude_x, in->attitude_y,
+        in->attitude_z, 1.00001) && are_four_centred(in->y_attitude_w, in->y_attitude_x,
+        in->y_attitude_y, in->y_attitude_z, 1.00001)));
 
-    skewed |= is_skewed_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z,
-        1.0e-05);
-    skewed |= is_skewed_quaternion(in->y_attitude_w, in->y_attitude_x, in->y_attitude_y,
-        in->y_attitude_z, 1.0e-05);
+    skewed |= near ? (ekf_cal_online_flag_t)0U :
+        is_skewed_quaternion(in->attitude_w, in->attitude_x,
+        in->attitude_y, in->attitude_z, 1.0e-05);
+    skewed |= near ? (ekf_cal_online_flag_t)0U :
+        is_skewed_quaternion(in->y_attitude_w, in->y_attitude_x,
+        in->y_attitude_y, in->y_attitude_z, 1.0e-05);
 
     return (!inside) ? (ekf_cal_online_flag_t)EKF_CAL_ONLINE_RANGE :
         ((skewed != 0U) ? (ekf_cal_online_flag_t)EKF_CAL_ONLINE_QNORM :

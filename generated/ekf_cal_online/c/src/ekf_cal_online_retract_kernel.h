@@ -167,13 +167,13 @@ EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t retract_load(
     in->d_antenna_2_y = d[23];
     in->d_antenna_2_z = d[24];
 
+    const bool near =
+        is_near_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.0e-05);
     bool inside = are_three_centred(in->position_x, in->position_y, in->position_z, 1000000.0);
     inside = inside &&
         are_three_centred(in->velocity_x, in->velocity_y, in->velocity_z, 1000000000.0);
     inside = inside &&
         are_three_centred(in->acceleration_x, in->acceleration_y, in->acceleration_z, 1000000000.0);
-    inside = inside &&
-        are_four_centred(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.00001);
     inside = inside &&
         are_three_centred(in->angular_rate_x, in->angular_rate_y, in->angular_rate_z, 1000000000.0);
     inside = inside && are_three_centred(in->angular_acceleration_x, in->angular_acceleration_y,
@@ -197,9 +197,12 @@ EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t retract_load(
         are_three_centred(in->d_antenna_1_x, in->d_antenna_1_y, in->d_antenna_1_z, 1000000000.0);
     inside = inside &&
         are_three_centred(in->d_antenna_2_x, in->d_antenna_2_y, in->d_antenna_2_z, 1000000000.0);
+    inside = inside && (near ||
+        are_four_centred(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.00001));
 
-    skewed |= is_skewed_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z,
-        1.0e-05);
+    skewed |= near ? (ekf_cal_online_flag_t)0U :
+        is_skewed_quaternion(in->attitude_w, in->attitude_x,
+        in->attitude_y, in->attitude_z, 1.0e-05);
 
     return (!inside) ? (ekf_cal_online_flag_t)EKF_CAL_ONLINE_RANGE :
         ((skewed != 0U) ? (ekf_cal_online_flag_t)EKF_CAL_ONLINE_QNORM :

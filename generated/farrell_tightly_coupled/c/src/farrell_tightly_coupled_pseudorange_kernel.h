@@ -87,16 +87,20 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t pseudorange_load(
     in->origin_y = origin[1];
     in->origin_z = origin[2];
 
+    const bool near = is_near_matrix(in->c_n_e_00, in->c_n_e_01, in->c_n_e_02, in->c_n_e_10,
+        in->c_n_e_11, in->c_n_e_12, in->c_n_e_20, in->c_n_e_21, in->c_n_e_22, 1.0e-05);
     bool inside = are_three_centred(in->dp_x, in->dp_y, in->dp_z, 1000000.0);
     inside = inside && is_centred(in->b_u, 100000000.0);
-    inside = inside &&
-        are_four_centred(in->c_n_e_00, in->c_n_e_01, in->c_n_e_02, in->c_n_e_10, 1.00001) &&
-        are_four_centred(in->c_n_e_11, in->c_n_e_12, in->c_n_e_20, in->c_n_e_21, 1.00001) &&
-        is_centred(in->c_n_e_22, 1.00001);
     inside = inside && are_three_centred(in->origin_x, in->origin_y, in->origin_z, 100000000.0);
+    inside = inside && (near ||
+        (are_four_centred(in->c_n_e_00, in->c_n_e_01, in->c_n_e_02, in->c_n_e_10, 1.00001) &&
+        are_four_centred(in->c_n_e_11, in->c_n_e_12, in->c_n_e_20, in->c_n_e_21, 1.00001) &&
+        is_centred(in->c_n_e_22, 1.00001)));
 
-    skewed |= is_skewed_matrix(in->c_n_e_00, in->c_n_e_01, in->c_n_e_02, in->c_n_e_10, in->c_n_e_11,
-        in->c_n_e_12, in->c_n_e_20, in->c_n_e_21, in->c_n_e_22, 1.0e-05);
+    skewed |= near ? (farrell_tightly_coupled_flag_t)0U :
+        is_skewed_matrix(in->c_n_e_00, in->c_n_e_01, in->c_n_e_02,
+        in->c_n_e_10, in->c_n_e_11, in->c_n_e_12, in->c_n_e_20, in->c_n_e_21, in->c_n_e_22,
+        1.0e-05);
 
     return (!inside) ? (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_RANGE :
         ((skewed != 0U) ?

@@ -109,19 +109,25 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t pseudorange_lever_
     in->lever_arm_y = lever_arm[1];
     in->lever_arm_z = lever_arm[2];
 
+    const bool near = is_near_quaternion(in->drho_w, in->drho_x, in->drho_y, in->drho_z, 1.0e-05) &&
+        is_near_matrix(in->c_n_e_00, in->c_n_e_01, in->c_n_e_02, in->c_n_e_10, in->c_n_e_11,
+        in->c_n_e_12, in->c_n_e_20, in->c_n_e_21, in->c_n_e_22, 1.0e-05);
     bool inside = are_three_centred(in->dp_x, in->dp_y, in->dp_z, 1000000.0);
     inside = inside && is_centred(in->b_u, 100000000.0);
-    inside = inside && are_four_centred(in->drho_w, in->drho_x, in->drho_y, in->drho_z, 1.00001);
-    inside = inside &&
-        are_four_centred(in->c_n_e_00, in->c_n_e_01, in->c_n_e_02, in->c_n_e_10, 1.00001) &&
-        are_four_centred(in->c_n_e_11, in->c_n_e_12, in->c_n_e_20, in->c_n_e_21, 1.00001) &&
-        is_centred(in->c_n_e_22, 1.00001);
     inside = inside && are_three_centred(in->origin_x, in->origin_y, in->origin_z, 100000000.0);
     inside = inside && are_three_centred(in->lever_arm_x, in->lever_arm_y, in->lever_arm_z, 100.0);
+    inside = inside && (near ||
+        (are_four_centred(in->drho_w, in->drho_x, in->drho_y, in->drho_z, 1.00001) &&
+        are_four_centred(in->c_n_e_00, in->c_n_e_01, in->c_n_e_02, in->c_n_e_10, 1.00001) &&
+        are_four_centred(in->c_n_e_11, in->c_n_e_12, in->c_n_e_20, in->c_n_e_21, 1.00001) &&
+        is_centred(in->c_n_e_22, 1.00001)));
 
-    skewed |= is_skewed_quaternion(in->drho_w, in->drho_x, in->drho_y, in->drho_z, 1.0e-05);
-    skewed |= is_skewed_matrix(in->c_n_e_00, in->c_n_e_01, in->c_n_e_02, in->c_n_e_10, in->c_n_e_11,
-        in->c_n_e_12, in->c_n_e_20, in->c_n_e_21, in->c_n_e_22, 1.0e-05);
+    skewed |= near ? (farrell_tightly_coupled_flag_t)0U :
+        is_skewed_quaternion(in->drho_w, in->drho_x, in->drho_y, in->drho_z, 1.0e-05);
+    skewed |= near ? (farrell_tightly_coupled_flag_t)0U :
+        is_skewed_matrix(in->c_n_e_00, in->c_n_e_01, in->c_n_e_02,
+        in->c_n_e_10, in->c_n_e_11, in->c_n_e_12, in->c_n_e_20, in->c_n_e_21, in->c_n_e_22,
+        1.0e-05);
 
     return (!inside) ? (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_RANGE :
         ((skewed != 0U) ?

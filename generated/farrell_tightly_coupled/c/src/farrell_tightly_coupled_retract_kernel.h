@@ -127,11 +127,11 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t retract_load(
     in->d_x_g_y = d[15];
     in->d_x_g_z = d[16];
 
+    const bool near = is_near_quaternion(in->drho_w, in->drho_x, in->drho_y, in->drho_z, 1.0e-05);
     bool inside = are_three_centred(in->dp_x, in->dp_y, in->dp_z, 1000000.0);
     inside = inside && is_centred(in->b_u, 100000000.0);
     inside = inside && are_three_centred(in->dv_x, in->dv_y, in->dv_z, 1000000000.0);
     inside = inside && is_centred(in->b_u_dot, 1000000000.0);
-    inside = inside && are_four_centred(in->drho_w, in->drho_x, in->drho_y, in->drho_z, 1.00001);
     inside = inside && are_three_centred(in->x_a_x, in->x_a_y, in->x_a_z, 1000000000.0);
     inside = inside && are_three_centred(in->x_g_x, in->x_g_y, in->x_g_z, 1000000000.0);
     inside = inside && are_three_centred(in->d_dp_x, in->d_dp_y, in->d_dp_z, 1000000000.0);
@@ -141,8 +141,11 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t retract_load(
     inside = inside && are_three_centred(in->d_drho_x, in->d_drho_y, in->d_drho_z, 6.0);
     inside = inside && are_three_centred(in->d_x_a_x, in->d_x_a_y, in->d_x_a_z, 1000000000.0);
     inside = inside && are_three_centred(in->d_x_g_x, in->d_x_g_y, in->d_x_g_z, 1000000000.0);
+    inside = inside &&
+        (near || are_four_centred(in->drho_w, in->drho_x, in->drho_y, in->drho_z, 1.00001));
 
-    skewed |= is_skewed_quaternion(in->drho_w, in->drho_x, in->drho_y, in->drho_z, 1.0e-05);
+    skewed |= near ? (farrell_tightly_coupled_flag_t)0U :
+        is_skewed_quaternion(in->drho_w, in->drho_x, in->drho_y, in->drho_z, 1.0e-05);
 
     return (!inside) ? (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_RANGE :
         ((skewed != 0U) ?

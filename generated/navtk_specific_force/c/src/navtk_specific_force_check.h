@@ -96,8 +96,37 @@ NAVTK_SPECIFIC_FORCE_INLINE bool is_within(
 #endif
 }
 
+/* The bits of a magnitude. As integers they are in the order of the magnitudes, with infinity and
+   NaN above every number: to compare them leaves floating-point registers to the arithmetic. */
+typedef union {
+    navtk_specific_force_real_t number;
+    navtk_specific_force_flag_t bits;
+} navtk_specific_force_bits_t;
+
+NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t
+    magnitude_of(navtk_specific_force_real_t value)
+{
+    navtk_specific_force_bits_t copy;
+
+    copy.number = value;
+    return copy.bits << 1U; /* without the sign */
+}
+
 /* True when a value is a number inside [-bound, bound]; false for NaN. */
 NAVTK_SPECIFIC_FORCE_INLINE bool is_centred(
+    navtk_specific_force_real_t value,
+    navtk_specific_force_real_t bound)
+{
+#ifdef __FRAMAC__ /* Eva bounds a value by comparisons with it, not with its magnitude, and does
+                     not conclude from them that it is no NaN. */
+    return (value == value) && (value >= -bound) && (value <= bound);
+#else
+    return magnitude_of(value) <= magnitude_of(bound);
+#endif
+}
+
+/* True when a value, one of several in a vector register, is a number inside [-bound, bound]. */
+NAVTK_SPECIFIC_FORCE_INLINE bool is_small(
     navtk_specific_force_real_t value,
     navtk_specific_force_real_t bound)
 {
@@ -136,12 +165,12 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t is_beyond(
     navtk_specific_force_real_t value,
     navtk_specific_force_real_t bound)
 {
-    return is_centred(value, bound) ? (navtk_specific_force_flag_t)0U :
+    return is_small(value, bound) ? (navtk_specific_force_flag_t)0U :
         (navtk_specific_force_flag_t)1U;
 }
 
-/* Copy a value into its range. Outside it, or for NaN, the lower end stands for it and 1 is
-   returned. */
+/* Copy a value. 1 when it is not a number inside a closed range, else 0: what is computed from it
+   is then discarded. */
 NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t take_value(
     navtk_specific_force_real_t value,
     navtk_specific_force_real_t lower,
@@ -150,21 +179,76 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t take_value(
 {
     const bool within = is_within(value, lower, upper);
 
+#ifdef __FRAMAC__ /* Eva does not know what is discarded. */
     *copy = within ? value : lower;
+#else
+    *copy = value;
+#endif
     return within ? (navtk_specific_force_flag_t)0U : (navtk_specific_force_flag_t)1U;
 }
 
-/* Copy a value into [-bound, bound]. Outside it, or for NaN, zero stands for it and 1 is
-   returned. */
+/* Copy a value. 1 when it is not a number inside [-bound, bound], else 0: what is computed from it
+   is then discarded. */
 NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t take_centred(
     navtk_specific_force_real_t value,
     navtk_specific_force_real_t bound,
     navtk_specific_force_real_t *copy)
 {
-    const bool within = is_centred(value, bound);
+    const bool within = is_small(value, bound);
 
+#ifdef __FRAMAC__ /* Eva does not know what is discarded. */
     *copy = within ? value : 0.0;
+#else
+    *copy = value;
+#endif
     return within ? (navtk_specific_force_flag_t)0U : (navtk_specific_force_flag_t)1U;
+}
+
+/* True when a quaternion keeps to unit norm so closely that every element is inside its range. */
+NAVTK_SPECIFIC_FORCE_INLINE bool is_near_quaternion(
+    navtk_specific_force_real_t q0,
+    navtk_specific_force_real_t q1,
+    navtk_specific_force_real_t q2,
+    navtk_specific_force_real_t q3,
+    navtk_specific_force_real_t tolerance)
+{
+#ifdef __FRAMAC__ /* Eva does not conclude from a sum what each of its terms is. */
+    return false;
+#else
+    const navtk_specific_force_real_t excess = ((q0 * q0) + (q1 * q1) + (q2 * q2) + (q3 * q3)) -
+        1.0;
+
+    return fabs(excess) <= (0.5 * tolerance);
+#endif
+}
+
+/* True when a 3 by 3 matrix is so close to a rotation that every element is inside its range. */
+NAVTK_SPECIFIC_FORCE_INLINE bool is_near_matrix(
+    navtk_specific_force_real_t m00,
+    navtk_specific_force_real_t m01,
+    navtk_specific_force_real_t m02,
+    navtk_specific_force_real_t m10,
+    navtk_specific_force_real_t m11,
+    navtk_specific_force_real_t m12,
+    navtk_specific_force_real_t m20,
+    navtk_specific_force_real_t m21,
+    navtk_specific_force_real_t m22,
+    navtk_specific_force_real_t tolerance)
+{
+#ifdef __FRAMAC__ /* Eva does not conclude from a sum what each of its terms is. */
+    return false;
+#else
+    const navtk_specific_force_real_t limit = 0.5 * (0.5 * tolerance);
+    const navtk_specific_force_real_t e00 = ((m00 * m00) + (m10 * m10) + (m20 * m20)) - 1.0;
+    const navtk_specific_force_real_t e11 = ((m01 * m01) + (m11 * m11) + (m21 * m21)) - 1.0;
+    const navtk_specific_force_real_t e01 = (m00 * m01) + (m10 * m11) + (m20 * m21);
+    const navtk_specific_force_real_t e02 = ((m10 * m21) - (m20 * m11)) - m02;
+    const navtk_specific_force_real_t e12 = ((m20 * m01) - (m00 * m21)) - m12;
+    const navtk_specific_force_real_t e22 = ((m00 * m11) - (m10 * m01)) - m22;
+
+    return ((e00 * e00) + (e11 * e11) + (e01 * e01) + (e02 * e02) + (e12 * e12) + (e22 * e22)) <=
+           (limit * limit);
+#endif
 }
 
 /* 1 when a quaternion is not of unit norm, else 0. */

@@ -80,9 +80,9 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t force_load(
     /* dt [s] */
     in->dt = dt[0];
 
-    bool inside =
-        are_four_centred(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.00001);
-    inside = inside && are_three_centred(in->accelerometer_bias_x, in->accelerometer_bias_y,
+    const bool near =
+        is_near_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.0e-05);
+    bool inside = are_three_centred(in->accelerometer_bias_x, in->accelerometer_bias_y,
         in->accelerometer_bias_z, 1.0);
     inside = inside && are_three_centred(in->gyro_bias_x, in->gyro_bias_y, in->gyro_bias_z, 0.1);
     inside = inside &&
@@ -90,9 +90,12 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t force_load(
     inside = inside &&
         are_three_centred(in->delta_velocity_x, in->delta_velocity_y, in->delta_velocity_z, 50.0);
     inside = inside && is_within(in->dt, 1.0e-05, 0.05);
+    inside = inside && (near ||
+        are_four_centred(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.00001));
 
-    skewed |= is_skewed_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z,
-        1.0e-05);
+    skewed |= near ? (navtk_specific_force_flag_t)0U :
+        is_skewed_quaternion(in->attitude_w, in->attitude_x,
+        in->attitude_y, in->attitude_z, 1.0e-05);
 
     return (!inside) ? (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_RANGE :
         ((skewed != 0U) ? (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_QNORM :

@@ -111,11 +111,11 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t retract_load(
     in->d_gyro_bias_y = d[13];
     in->d_gyro_bias_z = d[14];
 
+    const bool near =
+        is_near_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.0e-05);
     bool inside = are_three_centred(in->position_x, in->position_y, in->position_z, 1000000000.0);
     inside = inside &&
         are_three_centred(in->velocity_x, in->velocity_y, in->velocity_z, 1000000000.0);
-    inside = inside &&
-        are_four_centred(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.00001);
     inside = inside && are_three_centred(in->accelerometer_bias_x, in->accelerometer_bias_y,
         in->accelerometer_bias_z, 1.0);
     inside = inside && are_three_centred(in->gyro_bias_x, in->gyro_bias_y, in->gyro_bias_z, 0.1);
@@ -128,9 +128,12 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t retract_load(
         in->d_accelerometer_bias_z, 1000000000.0);
     inside = inside &&
         are_three_centred(in->d_gyro_bias_x, in->d_gyro_bias_y, in->d_gyro_bias_z, 1000000000.0);
+    inside = inside && (near ||
+        are_four_centred(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.00001));
 
-    skewed |= is_skewed_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z,
-        1.0e-05);
+    skewed |= near ? (navtk_specific_force_flag_t)0U :
+        is_skewed_quaternion(in->attitude_w, in->attitude_x,
+        in->attitude_y, in->attitude_z, 1.0e-05);
 
     return (!inside) ? (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_RANGE :
         ((skewed != 0U) ? (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_QNORM :

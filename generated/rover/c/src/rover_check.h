@@ -96,8 +96,36 @@ ROVER_INLINE bool is_within(
 #endif
 }
 
+/* The bits of a magnitude. As integers they are in the order of the magnitudes, with infinity and
+   NaN above every number: to compare them leaves floating-point registers to the arithmetic. */
+typedef union {
+    rover_real_t number;
+    rover_flag_t bits;
+} rover_bits_t;
+
+ROVER_INLINE rover_flag_t magnitude_of(rover_real_t value)
+{
+    rover_bits_t copy;
+
+    copy.number = value;
+    return copy.bits << 1U; /* without the sign */
+}
+
 /* True when a value is a number inside [-bound, bound]; false for NaN. */
 ROVER_INLINE bool is_centred(
+    rover_real_t value,
+    rover_real_t bound)
+{
+#ifdef __FRAMAC__ /* Eva bounds a value by comparisons with it, not with its magnitude, and does
+                     not conclude from them that it is no NaN. */
+    return (value == value) && (value >= -bound) && (value <= bound);
+#else
+    return magnitude_of(value) <= magnitude_of(bound);
+#endif
+}
+
+/* True when a value, one of several in a vector register, is a number inside [-bound, bound]. */
+ROVER_INLINE bool is_small(
     rover_real_t value,
     rover_real_t bound)
 {
@@ -148,8 +176,8 @@ ROVER_INLINE bool is_equal(
     return (first <= second) && (first >= second);
 }
 
-/* Copy a value into its range. Outside it, or for NaN, the lower end stands for it and 1 is
-   returned. */
+/* Copy a value. 1 when it is not a number inside a closed range, else 0: what is computed from it
+   is then discarded. */
 ROVER_INLINE rover_flag_t take_value(
     rover_real_t value,
     rover_real_t lower,
@@ -158,20 +186,28 @@ ROVER_INLINE rover_flag_t take_value(
 {
     const bool within = is_within(value, lower, upper);
 
+#ifdef __FRAMAC__ /* Eva does not know what is discarded. */
     *copy = within ? value : lower;
+#else
+    *copy = value;
+#endif
     return within ? (rover_flag_t)0U : (rover_flag_t)1U;
 }
 
-/* Copy a value into [-bound, bound]. Outside it, or for NaN, zero stands for it and 1 is
-   returned. */
+/* Copy a value. 1 when it is not a number inside [-bound, bound], else 0: what is computed from it
+   is then discarded. */
 ROVER_INLINE rover_flag_t take_centred(
     rover_real_t value,
     rover_real_t bound,
     rover_real_t *copy)
 {
-    const bool within = is_centred(value, bound);
+    const bool within = is_small(value, bound);
 
+#ifdef __FRAMAC__ /* Eva does not know what is discarded. */
     *copy = within ? value : 0.0;
+#else
+    *copy = value;
+#endif
     return within ? (rover_flag_t)0U : (rover_flag_t)1U;
 }
 
@@ -186,6 +222,23 @@ ROVER_INLINE rover_flag_t take_index(
 
     *copy = within ? value : lower;
     return within ? (rover_flag_t)0U : (rover_flag_t)1U;
+}
+
+/* True when a quaternion keeps to unit norm so closely that every element is inside its range. */
+ROVER_INLINE bool is_near_quaternion(
+    rover_real_t q0,
+    rover_real_t q1,
+    rover_real_t q2,
+    rover_real_t q3,
+    rover_real_t tolerance)
+{
+#ifdef __FRAMAC__ /* Eva does not conclude from a sum what each of its terms is. */
+    return false;
+#else
+    const rover_real_t excess = ((q0 * q0) + (q1 * q1) + (q2 * q2) + (q3 * q3)) - 1.0;
+
+    return fabs(excess) <= (0.5 * tolerance);
+#endif
 }
 
 /* 1 when a quaternion is not of unit norm, else 0. */

@@ -89,9 +89,9 @@ ROVER_INLINE rover_flag_t imu_load(
     /* dt [s] */
     in->dt = dt[0];
 
-    bool inside =
-        are_four_centred(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.00001);
-    inside = inside && are_three_centred(in->accelerometer_bias_x, in->accelerometer_bias_y,
+    const bool near =
+        is_near_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.0e-05);
+    bool inside = are_three_centred(in->accelerometer_bias_x, in->accelerometer_bias_y,
         in->accelerometer_bias_z, 1.0);
     inside = inside && are_three_centred(in->gyro_bias_x, in->gyro_bias_y, in->gyro_bias_z, 0.1);
     inside = inside && are_four_centred(in->delta_theta_0, in->delta_theta_1, in->delta_theta_2,
@@ -100,9 +100,11 @@ ROVER_INLINE rover_flag_t imu_load(
         in->delta_velocity_2, in->delta_velocity_3, 50.0) && are_two_centred(in->delta_velocity_4,
         in->delta_velocity_5, 50.0);
     inside = inside && is_within(in->dt, 1.0e-05, 0.05);
+    inside = inside && (near ||
+        are_four_centred(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.00001));
 
-    skewed |= is_skewed_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z,
-        1.0e-05);
+    skewed |= near ? (rover_flag_t)0U : is_skewed_quaternion(in->attitude_w, in->attitude_x,
+        in->attitude_y, in->attitude_z, 1.0e-05);
 
     return (!inside) ? (rover_flag_t)ROVER_RANGE :
         ((skewed != 0U) ? (rover_flag_t)ROVER_QNORM : (rover_flag_t)ROVER_OK);

@@ -150,11 +150,12 @@ ROVER_INLINE rover_flag_t
     /* drift [m/s] */
     in->y_drift = y[21];
 
+    const bool near = is_near_quaternion(in->attitude_w, in->attitude_x, in->attitude_y,
+        in->attitude_z, 1.0e-05) && is_near_quaternion(in->y_attitude_w, in->y_attitude_x,
+        in->y_attitude_y, in->y_attitude_z, 1.0e-05);
     bool inside = are_three_centred(in->position_x, in->position_y, in->position_z, 100000.0);
     inside = inside &&
         are_three_centred(in->velocity_x, in->velocity_y, in->velocity_z, 1000000000.0);
-    inside = inside &&
-        are_four_centred(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.00001);
     inside = inside && are_three_centred(in->accelerometer_bias_x, in->accelerometer_bias_y,
         in->accelerometer_bias_z, 1.0);
     inside = inside && are_three_centred(in->gyro_bias_x, in->gyro_bias_y, in->gyro_bias_z, 0.1);
@@ -166,8 +167,6 @@ ROVER_INLINE rover_flag_t
         are_three_centred(in->y_position_x, in->y_position_y, in->y_position_z, 100000.0);
     inside = inside &&
         are_three_centred(in->y_velocity_x, in->y_velocity_y, in->y_velocity_z, 1000000000.0);
-    inside = inside && are_four_centred(in->y_attitude_w, in->y_attitude_x, in->y_attitude_y,
-        in->y_attitude_z, 1.00001);
     inside = inside && are_three_centred(in->y_accelerometer_bias_x, in->y_accelerometer_bias_y,
         in->y_accelerometer_bias_z, 1.0);
     inside = inside &&
@@ -176,11 +175,14 @@ ROVER_INLINE rover_flag_t
     inside = inside && is_centred(in->y_b_gps, 1000000.0);
     inside = inside && is_centred(in->y_b_galileo, 1000000.0);
     inside = inside && is_centred(in->y_drift, 1000000000.0);
+    inside = inside && (near || (are_four_centred(in->attitude_w, in->attitude_x, in->attitude_y,
+        in->attitude_z, 1.00001) && are_four_centred(in->y_attitude_w, in->y_attitude_x,
+        in->y_attitude_y, in->y_attitude_z, 1.00001)));
 
-    skewed |= is_skewed_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z,
-        1.0e-05);
-    skewed |= is_skewed_quaternion(in->y_attitude_w, in->y_attitude_x, in->y_attitude_y,
-        in->y_attitude_z, 1.0e-05);
+    skewed |= near ? (rover_flag_t)0U : is_skewed_quaternion(in->attitude_w, in->attitude_x,
+        in->attitude_y, in->attitude_z, 1.0e-05);
+    skewed |= near ? (rover_flag_t)0U : is_skewed_quaternion(in->y_attitude_w, in->y_attitude_x,
+        in->y_attitude_y, in->y_attitude_z, 1.0e-05);
 
     return (!inside) ? (rover_flag_t)ROVER_RANGE :
         ((skewed != 0U) ? (rover_flag_t)ROVER_QNORM : (rover_flag_t)ROVER_OK);

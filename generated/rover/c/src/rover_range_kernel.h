@@ -121,20 +121,22 @@ ROVER_INLINE rover_flag_t range_load(
     in->origin_y = origin[1];
     in->origin_z = origin[2];
 
+    const bool near = is_near_quaternion(in->attitude_w, in->attitude_x, in->attitude_y,
+        in->attitude_z, 1.0e-05) && is_near_quaternion(in->nav_to_ecef_w, in->nav_to_ecef_x,
+        in->nav_to_ecef_y, in->nav_to_ecef_z, 1.0e-05);
     bool inside = are_three_centred(in->position_x, in->position_y, in->position_z, 100000.0);
-    inside = inside &&
-        are_four_centred(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.00001);
     inside = inside && are_three_centred(in->antenna_x, in->antenna_y, in->antenna_z, 10.0);
     inside = inside && is_centred(in->b_gps, 1000000.0);
     inside = inside && is_centred(in->b_galileo, 1000000.0);
-    inside = inside && are_four_centred(in->nav_to_ecef_w, in->nav_to_ecef_x, in->nav_to_ecef_y,
-        in->nav_to_ecef_z, 1.00001);
     inside = inside && are_three_centred(in->origin_x, in->origin_y, in->origin_z, 100000000.0);
+    inside = inside && (near || (are_four_centred(in->attitude_w, in->attitude_x, in->attitude_y,
+        in->attitude_z, 1.00001) && are_four_centred(in->nav_to_ecef_w, in->nav_to_ecef_x,
+        in->nav_to_ecef_y, in->nav_to_ecef_z, 1.00001)));
 
-    skewed |= is_skewed_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z,
-        1.0e-05);
-    skewed |= is_skewed_quaternion(in->nav_to_ecef_w, in->nav_to_ecef_x, in->nav_to_ecef_y,
-        in->nav_to_ecef_z, 1.0e-05);
+    skewed |= near ? (rover_flag_t)0U : is_skewed_quaternion(in->attitude_w, in->attitude_x,
+        in->attitude_y, in->attitude_z, 1.0e-05);
+    skewed |= near ? (rover_flag_t)0U : is_skewed_quaternion(in->nav_to_ecef_w, in->nav_to_ecef_x,
+        in->nav_to_ecef_y, in->nav_to_ecef_z, 1.0e-05);
 
     return (!inside) ? (rover_flag_t)ROVER_RANGE :
         ((skewed != 0U) ? (rover_flag_t)ROVER_QNORM : (rover_flag_t)ROVER_OK);

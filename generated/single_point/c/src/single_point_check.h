@@ -96,8 +96,36 @@ SINGLE_POINT_INLINE bool is_within(
 #endif
 }
 
+/* The bits of a magnitude. As integers they are in the order of the magnitudes, with infinity and
+   NaN above every number: to compare them leaves floating-point registers to the arithmetic. */
+typedef union {
+    single_point_real_t number;
+    single_point_flag_t bits;
+} single_point_bits_t;
+
+SINGLE_POINT_INLINE single_point_flag_t magnitude_of(single_point_real_t value)
+{
+    single_point_bits_t copy;
+
+    copy.number = value;
+    return copy.bits << 1U; /* without the sign */
+}
+
 /* True when a value is a number inside [-bound, bound]; false for NaN. */
 SINGLE_POINT_INLINE bool is_centred(
+    single_point_real_t value,
+    single_point_real_t bound)
+{
+#ifdef __FRAMAC__ /* Eva bounds a value by comparisons with it, not with its magnitude, and does
+                     not conclude from them that it is no NaN. */
+    return (value == value) && (value >= -bound) && (value <= bound);
+#else
+    return magnitude_of(value) <= magnitude_of(bound);
+#endif
+}
+
+/* True when a value, one of several in a vector register, is a number inside [-bound, bound]. */
+SINGLE_POINT_INLINE bool is_small(
     single_point_real_t value,
     single_point_real_t bound)
 {
@@ -119,8 +147,8 @@ SINGLE_POINT_INLINE bool are_three_centred(
     return is_centred(a, bound) && is_centred(b, bound) && is_centred(c, bound);
 }
 
-/* Copy a value into its range. Outside it, or for NaN, the lower end stands for it and 1 is
-   returned. */
+/* Copy a value. 1 when it is not a number inside a closed range, else 0: what is computed from it
+   is then discarded. */
 SINGLE_POINT_INLINE single_point_flag_t take_value(
     single_point_real_t value,
     single_point_real_t lower,
@@ -129,20 +157,28 @@ SINGLE_POINT_INLINE single_point_flag_t take_value(
 {
     const bool within = is_within(value, lower, upper);
 
+#ifdef __FRAMAC__ /* Eva does not know what is discarded. */
     *copy = within ? value : lower;
+#else
+    *copy = value;
+#endif
     return within ? (single_point_flag_t)0U : (single_point_flag_t)1U;
 }
 
-/* Copy a value into [-bound, bound]. Outside it, or for NaN, zero stands for it and 1 is
-   returned. */
+/* Copy a value. 1 when it is not a number inside [-bound, bound], else 0: what is computed from it
+   is then discarded. */
 SINGLE_POINT_INLINE single_point_flag_t take_centred(
     single_point_real_t value,
     single_point_real_t bound,
     single_point_real_t *copy)
 {
-    const bool within = is_centred(value, bound);
+    const bool within = is_small(value, bound);
 
+#ifdef __FRAMAC__ /* Eva does not know what is discarded. */
     *copy = within ? value : 0.0;
+#else
+    *copy = value;
+#endif
     return within ? (single_point_flag_t)0U : (single_point_flag_t)1U;
 }
 

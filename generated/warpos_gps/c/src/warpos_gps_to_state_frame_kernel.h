@@ -97,24 +97,26 @@ WARPOS_GPS_INLINE warpos_gps_flag_t to_state_frame_load(
     in->covariance_2_7 = covariance_2[7];
     in->covariance_2_8 = covariance_2[8];
 
-    bool inside = are_four_centred(in->observer_attitude_w, in->observer_attitude_x,
-        in->observer_attitude_y, in->observer_attitude_z, 1.00001);
-    inside = inside && are_three_centred(in->receiver_position_x, in->receiver_position_y,
+    const bool near = is_near_quaternion(in->observer_attitude_w, in->observer_attitude_x,
+        in->observer_attitude_y, in->observer_attitude_z, 1.0e-05) &&
+        is_near_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.0e-05);
+    bool inside = are_three_centred(in->receiver_position_x, in->receiver_position_y,
         in->receiver_position_z, 1000000000.0);
     inside = inside && are_three_centred(in->origin_offset_x, in->origin_offset_y,
         in->origin_offset_z, 1000000000.0);
-    inside = inside &&
-        are_four_centred(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.00001);
     inside = inside && are_three_centred(in->lever_arm_x, in->lever_arm_y, in->lever_arm_z, 100.0);
     inside = inside && are_four_centred(in->covariance_2_0, in->covariance_2_1, in->covariance_2_2,
         in->covariance_2_3, 1000000000000.0) && are_four_centred(in->covariance_2_4,
         in->covariance_2_5, in->covariance_2_6, in->covariance_2_7, 1000000000000.0) &&
         is_centred(in->covariance_2_8, 1000000000000.0);
+    inside = inside && (near || (are_four_centred(in->observer_attitude_w, in->observer_attitude_x,
+        in->observer_attitude_y, in->observer_attitude_z, 1.00001) &&
+        are_four_centred(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.00001)));
 
-    skewed |= is_skewed_quaternion(in->observer_attitude_w, in->observer_attitude_x,
-        in->observer_attitude_y, in->observer_attitude_z, 1.0e-05);
-    skewed |= is_skewed_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z,
-        1.0e-05);
+    skewed |= near ? (warpos_gps_flag_t)0U : is_skewed_quaternion(in->observer_attitude_w,
+        in->observer_attitude_x, in->observer_attitude_y, in->observer_attitude_z, 1.0e-05);
+    skewed |= near ? (warpos_gps_flag_t)0U : is_skewed_quaternion(in->attitude_w, in->attitude_x,
+        in->attitude_y, in->attitude_z, 1.0e-05);
 
     return (!inside) ? (warpos_gps_flag_t)WARPOS_GPS_RANGE :
         ((skewed != 0U) ? (warpos_gps_flag_t)WARPOS_GPS_QNORM : (warpos_gps_flag_t)WARPOS_GPS_OK);
