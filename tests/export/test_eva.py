@@ -154,7 +154,7 @@ def test_what_is_written_for_the_proof_alone_is_assumed() -> None:
     other = {path.stem for path in helpers if "#ifdef __FRAMAC__" in path.read_text()}
     assert other == {
         *("is_within", "is_centred", "is_small", "is_near_quaternion", "is_near_matrix"),
-        *("take_centred", "take_value"),
+        *("take_centred", "take_value", "guarded"),
     }
     (assumption,) = [text for text in ASSUMPTIONS if "__FRAMAC__" in text]
     assert all(name in assumption for name in other) and "magnitude" in assumption

@@ -143,6 +143,11 @@ class Kernel:
         """True when the part evaluated once per item checks something."""
         return self._can_fail(self.function.item)
 
+    @property
+    def item_is_told(self) -> bool:
+        """True when the item part is told whether an item has passed: there are two passes."""
+        return self.mapped and self.function.items is ir.Items.REJECT and self.item_fails
+
     def _can_fail(self, steps: Iterable[ir.Step]) -> bool:
         """True when something in a body is checked."""
         checks = (step for step in steps if isinstance(step, ir.Check))
@@ -175,6 +180,8 @@ class Kernel:
         names = {HELPERS[operation] for operation in self._operations if operation in HELPERS}
         if self._can_fail(steps):
             names.add("is_within")
+        if self.item_is_told:
+            names.add("guarded")
         return names | self.inputs.helpers()
 
     def _own(self, output: ir.Output) -> bool:
@@ -306,6 +313,7 @@ class Kernel:
         if self.item_reads_item:
             declarations.append(f"const {self.inputs.struct(item=True).name} *{ITEM_POINTER}")
         declarations.append(f"{self.output_struct.name} *{OUTPUT_POINTER}")
+        declarations += ["bool passed"] if self.item_is_told else []
         scope = self._scope(item=True)
         seen = set(self._carried)
         body = [
@@ -355,8 +363,10 @@ class Kernel:
         within = f"is_within({value}, {low}, {high})"
         lines += comments.code(f"const bool {verdict} = {within};")
         substitute = self.target.literal(check.substitute)
-        lines += comments.code(f"const {real} {target} = {verdict} ? {value} : {substitute};")
-        return lines
+        chosen = f"{verdict} ? {value} : {substitute}"
+        if self.item_is_told and check in self.function.item:
+            chosen = f"guarded({value}, {verdict}, passed, {substitute})"
+        return [*lines, *comments.code(f"const {real} {target} = {chosen};")]
 
     def _assignments(
         self, outputs: Sequence[ir.Output], pointer: str, scope: Scope, seen: set[ir.Load]

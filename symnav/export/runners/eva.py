@@ -104,9 +104,9 @@ ASSUMPTIONS = (
     "that is the same. is_near_quaternion and is_near_matrix say no, so that elements of a "
     "rotation are looked at one by one: where what is compiled does without, the norm bounds them "
     "more closely. take_centred and take_value put a number that is harmless in the place of one "
-    "outside its range; what is compiled goes on with it and discards what comes of it. What is "
-    "copied after it has passed its checks is selected there once more, by the same comparisons of "
-    "the same numbers.",
+    "outside its range; what is compiled goes on with it and discards what comes of it. What has "
+    "passed its checks before, and is copied or guarded again, is selected there once more, by the "
+    "same comparisons of the same numbers.",
     "Items: every count from 0 to the maximum. Single differences: counts and references that the "
     "driver lists. Many epochs: as many as the driver lists, with inputs apart and the same.",
 )

@@ -203,7 +203,11 @@ EKF_CAL_GPS_INLINE bool is_near_quaternion(
     ekf_cal_gps_real_t tolerance)
 {
 #ifdef __FRAMAC__ /* Eva does not conclude from a sum what each of its terms is. */
-    return false;
+    (void)q0;
+    (void)q1;
+    (void)q2;
+    (void)q3;
+    return tolerance < 0.0; /* never */
 #else
     const ekf_cal_gps_real_t excess = ((q0 * q0) + (q1 * q1) + (q2 * q2) + (q3 * q3)) - 1.0;
 

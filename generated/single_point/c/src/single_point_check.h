@@ -147,6 +147,21 @@ SINGLE_POINT_INLINE bool are_three_centred(
     return is_centred(a, bound) && is_centred(b, bound) && is_centred(c, bound);
 }
 
+/* A number that its guard lets pass, or that has passed it before; else a harmless one. */
+SINGLE_POINT_INLINE single_point_real_t guarded(
+    single_point_real_t value,
+    bool ok,
+    bool passed,
+    single_point_real_t substitute)
+{
+#ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
+    (void)passed;
+    return ok ? value : substitute;
+#else
+    return (passed || ok) ? value : substitute;
+#endif
+}
+
 /* Copy a value. 1 when it is not a number inside a closed range, else 0: what is computed from it
    is then discarded. */
 SINGLE_POINT_INLINE single_point_flag_t take_value(
