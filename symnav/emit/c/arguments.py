@@ -15,7 +15,7 @@ LOCALS = words(
     """
     base block codes common count covariance dense epoch epochs evaluated failed failure
     first i in inside item item_status k lane loaded matrix minus n near next nonzeros out
-    outcome outside own passed reference rest result row shared sigma skewed status stride
+    outcome outside own reference rest result row shared sigma skewed status stride
     """
 )
 

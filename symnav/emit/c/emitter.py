@@ -40,7 +40,7 @@ _HELPERS: Mapping[str, tuple[str, ...]] = {
     "is_equal": (),
     "is_outside": ("is_within",),
     "is_beyond": ("is_small",),
-    "guarded": (),
+    "flagged": (),
     "take_value": ("is_within",),
     "take_centred": ("is_small",),
     "is_index_outside": (),

@@ -43,6 +43,9 @@ _LIBRARY = {
     Operation.FLOOR: "floor",
 }
 
+# Operations that call the library; the others are instructions of a processor.
+LIBRARY_CALLS = frozenset(_LIBRARY) - {Operation.SQRT, Operation.ABS, Operation.FLOOR}
+
 # Operations C99 has no operator or fast function for; each is an inline helper of the check file.
 HELPERS = {
     Operation.MIN: "smaller_of",

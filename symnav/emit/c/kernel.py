@@ -14,7 +14,15 @@ from itertools import groupby
 
 from symnav import ir
 from symnav.emit.c import comments
-from symnav.emit.c.expressions import HELPERS, SINUSOIDS, Level, Scope, Text, format_expression
+from symnav.emit.c.expressions import (
+    HELPERS,
+    LIBRARY_CALLS,
+    SINUSOIDS,
+    Level,
+    Scope,
+    Text,
+    format_expression,
+)
 from symnav.emit.c.inputs import INPUT_POINTER, ITEM_POINTER, Inputs, inputs_of
 from symnav.emit.c.names import Names
 from symnav.emit.c.pieces import Field, Routine, Struct, head
@@ -144,9 +152,14 @@ class Kernel:
         return self._can_fail(self.function.item)
 
     @property
-    def item_is_told(self) -> bool:
-        """True when the item part is told whether an item has passed: there are two passes."""
-        return self.mapped and self.function.items is ir.Items.REJECT and self.item_fails
+    def _item_discards(self) -> bool:
+        """True when an item goes on with what a guard did not let pass, to be discarded.
+
+        The wait for a selection costs more than the guard. Library functions are not called so:
+        some tell of arguments outside their domain.
+        """
+        called = operations_of([*self.function.item, *self._entries(self.results)]) & LIBRARY_CALLS
+        return self.mapped and self.item_fails and not called
 
     def _can_fail(self, steps: Iterable[ir.Step]) -> bool:
         """True when something in a body is checked."""
@@ -180,8 +193,8 @@ class Kernel:
         names = {HELPERS[operation] for operation in self._operations if operation in HELPERS}
         if self._can_fail(steps):
             names.add("is_within")
-        if self.item_is_told:
-            names.add("guarded")
+        if self._item_discards:
+            names.add("flagged")
         return names | self.inputs.helpers()
 
     def _own(self, output: ir.Output) -> bool:
@@ -313,7 +326,6 @@ class Kernel:
         if self.item_reads_item:
             declarations.append(f"const {self.inputs.struct(item=True).name} *{ITEM_POINTER}")
         declarations.append(f"{self.output_struct.name} *{OUTPUT_POINTER}")
-        declarations += ["bool passed"] if self.item_is_told else []
         scope = self._scope(item=True)
         seen = set(self._carried)
         body = [
@@ -364,8 +376,8 @@ class Kernel:
         lines += comments.code(f"const bool {verdict} = {within};")
         substitute = self.target.literal(check.substitute)
         chosen = f"{verdict} ? {value} : {substitute}"
-        if self.item_is_told and check in self.function.item:
-            chosen = f"guarded({value}, {verdict}, passed, {substitute})"
+        if self._item_discards and check in self.function.item:
+            chosen = f"flagged({value}, {verdict}, {substitute})"
         return [*lines, *comments.code(f"const {real} {target} = {chosen};")]
 
     def _assignments(

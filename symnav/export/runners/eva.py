@@ -103,10 +103,10 @@ ASSUMPTIONS = (
     "what is compiled compares the magnitude with one, is_centred by the bits of both: by IEEE 754 "
     "that is the same. is_near_quaternion and is_near_matrix say no, so that elements of a "
     "rotation are looked at one by one: where what is compiled does without, the norm bounds them "
-    "more closely. take_centred and take_value put a number that is harmless in the place of one "
-    "outside its range; what is compiled goes on with it and discards what comes of it. What has "
-    "passed its checks before, and is copied or guarded again, is selected there once more, by the "
-    "same comparisons of the same numbers.",
+    "more closely. take_centred, take_value and flagged put a number that is harmless in the place "
+    "of one outside its range; what is compiled goes on with it and discards what comes of it, "
+    "which may leave floating-point exceptions and errno behind. What is copied after it has "
+    "passed its checks is selected there once more, by the same comparisons of the same numbers.",
     "Items: every count from 0 to the maximum. Single differences: counts and references that the "
     "driver lists. Many epochs: as many as the driver lists, with inputs apart and the same.",
 )

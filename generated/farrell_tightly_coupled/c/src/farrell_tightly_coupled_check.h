@@ -170,6 +170,22 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t is_beyond(
         (farrell_tightly_coupled_flag_t)1U;
 }
 
+/* A number that a guard of an item has looked at: what is computed from one that did not pass is
+   discarded. */
+FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_real_t flagged(
+    farrell_tightly_coupled_real_t value,
+    bool ok,
+    farrell_tightly_coupled_real_t substitute)
+{
+#ifdef __FRAMAC__ /* Eva does not know what is discarded. */
+    return ok ? value : substitute;
+#else
+    (void)ok;
+    (void)substitute;
+    return value;
+#endif
+}
+
 /* Copy a value. 1 when it is not a number inside a closed range, else 0: what is computed from it
    is then discarded. */
 FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t take_value(

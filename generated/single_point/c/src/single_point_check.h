@@ -147,18 +147,19 @@ SINGLE_POINT_INLINE bool are_three_centred(
     return is_centred(a, bound) && is_centred(b, bound) && is_centred(c, bound);
 }
 
-/* A number that its guard lets pass, or that has passed it before; else a harmless one. */
-SINGLE_POINT_INLINE single_point_real_t guarded(
+/* A number that a guard of an item has looked at: what is computed from one that did not pass is
+   discarded. */
+SINGLE_POINT_INLINE single_point_real_t flagged(
     single_point_real_t value,
     bool ok,
-    bool passed,
     single_point_real_t substitute)
 {
-#ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
-    (void)passed;
+#ifdef __FRAMAC__ /* Eva does not know what is discarded. */
     return ok ? value : substitute;
 #else
-    return (passed || ok) ? value : substitute;
+    (void)ok;
+    (void)substitute;
+    return value;
 #endif
 }
 

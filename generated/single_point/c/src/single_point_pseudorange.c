@@ -106,7 +106,7 @@ SINGLE_POINT_INLINE single_point_status_t pseudorange_check_items(
         const single_point_flag_t loaded =
             pseudorange_load_item(&satellite_position[3 * i], &satellite_clock[i],
             &troposphere[i], &ionosphere[i], &item);
-        const single_point_flag_t evaluated = pseudorange_item(in, &item, &out, false);
+        const single_point_flag_t evaluated = pseudorange_item(in, &item, &out);
 
         codes[i] = first_failure(loaded, evaluated);
         failed |= codes[i];
@@ -138,7 +138,7 @@ static SINGLE_POINT_WIDE void pseudorange_lanes(
         pseudorange_output_t out;
         pseudorange_copy_item(&satellite_position[3 * lane], &satellite_clock[lane],
             &troposphere[lane], &ionosphere[lane], &item);
-        (void)pseudorange_item(in, &item, &out, true);
+        (void)pseudorange_item(in, &item, &out);
 
         pseudorange_put_value(&out, &block->value[lane]);
         pseudorange_put_jacobian(&out, SINGLE_POINT_PSEUDORANGE_LANES, &block->jacobian[lane]);
@@ -161,7 +161,7 @@ static SINGLE_POINT_WIDE void pseudorange_lanes_value(
         pseudorange_output_t out;
         pseudorange_copy_item(&satellite_position[3 * lane], &satellite_clock[lane],
             &troposphere[lane], &ionosphere[lane], &item);
-        (void)pseudorange_item(in, &item, &out, true);
+        (void)pseudorange_item(in, &item, &out);
 
         pseudorange_put_value(&out, &block->value[lane]);
     }
@@ -183,7 +183,7 @@ static SINGLE_POINT_WIDE void pseudorange_lanes_jacobian(
         pseudorange_output_t out;
         pseudorange_copy_item(&satellite_position[3 * lane], &satellite_clock[lane],
             &troposphere[lane], &ionosphere[lane], &item);
-        (void)pseudorange_item(in, &item, &out, true);
+        (void)pseudorange_item(in, &item, &out);
 
         pseudorange_put_jacobian(&out, SINGLE_POINT_PSEUDORANGE_LANES, &block->jacobian[lane]);
     }
@@ -421,7 +421,7 @@ SINGLE_POINT_INLINE void pseudorange_columns(
         pseudorange_output_t out;
         pseudorange_copy_item(&satellite_position[3 * i], &satellite_clock[i], &troposphere[i],
             &ionosphere[i], &item);
-        (void)pseudorange_item(in, &item, &out, true);
+        (void)pseudorange_item(in, &item, &out);
 
         pseudorange_fill_value(out.value, &value[i]);
         pseudorange_put_jacobian(&out, stride, &jacobian_nz[i]);

@@ -106,8 +106,7 @@ SINGLE_POINT_INLINE single_point_status_t pseudorange_without_sagnac_check_items
         const single_point_flag_t loaded =
             pseudorange_without_sagnac_load_item(&satellite_position[3 * i],
             &satellite_clock[i], &troposphere[i], &ionosphere[i], &item);
-        const single_point_flag_t evaluated =
-            pseudorange_without_sagnac_item(in, &item, &out, false);
+        const single_point_flag_t evaluated = pseudorange_without_sagnac_item(in, &item, &out);
 
         codes[i] = first_failure(loaded, evaluated);
         failed |= codes[i];
@@ -139,7 +138,7 @@ static SINGLE_POINT_WIDE void pseudorange_without_sagnac_lanes(
         pseudorange_without_sagnac_output_t out;
         pseudorange_without_sagnac_copy_item(&satellite_position[3 * lane], &satellite_clock[lane],
             &troposphere[lane], &ionosphere[lane], &item);
-        (void)pseudorange_without_sagnac_item(in, &item, &out, true);
+        (void)pseudorange_without_sagnac_item(in, &item, &out);
 
         pseudorange_without_sagnac_put_value(&out, &block->value[lane]);
         pseudorange_without_sagnac_put_jacobian(&out, SINGLE_POINT_PSEUDORANGE_WITHOUT_SAGNAC_LANES,
@@ -163,7 +162,7 @@ static SINGLE_POINT_WIDE void pseudorange_without_sagnac_lanes_value(
         pseudorange_without_sagnac_output_t out;
         pseudorange_without_sagnac_copy_item(&satellite_position[3 * lane], &satellite_clock[lane],
             &troposphere[lane], &ionosphere[lane], &item);
-        (void)pseudorange_without_sagnac_item(in, &item, &out, true);
+        (void)pseudorange_without_sagnac_item(in, &item, &out);
 
         pseudorange_without_sagnac_put_value(&out, &block->value[lane]);
     }
@@ -185,7 +184,7 @@ static SINGLE_POINT_WIDE void pseudorange_without_sagnac_lanes_jacobian(
         pseudorange_without_sagnac_output_t out;
         pseudorange_without_sagnac_copy_item(&satellite_position[3 * lane], &satellite_clock[lane],
             &troposphere[lane], &ionosphere[lane], &item);
-        (void)pseudorange_without_sagnac_item(in, &item, &out, true);
+        (void)pseudorange_without_sagnac_item(in, &item, &out);
 
         pseudorange_without_sagnac_put_jacobian(&out, SINGLE_POINT_PSEUDORANGE_WITHOUT_SAGNAC_LANES,
             &block->jacobian[lane]);
@@ -443,7 +442,7 @@ SINGLE_POINT_INLINE void pseudorange_without_sagnac_columns(
         pseudorange_without_sagnac_output_t out;
         pseudorange_without_sagnac_copy_item(&satellite_position[3 * i], &satellite_clock[i],
             &troposphere[i], &ionosphere[i], &item);
-        (void)pseudorange_without_sagnac_item(in, &item, &out, true);
+        (void)pseudorange_without_sagnac_item(in, &item, &out);
 
         pseudorange_without_sagnac_fill_value(out.value, &value[i]);
         pseudorange_without_sagnac_put_jacobian(&out, stride, &jacobian_nz[i]);

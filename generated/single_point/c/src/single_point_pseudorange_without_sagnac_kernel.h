@@ -96,8 +96,7 @@ SINGLE_POINT_INLINE single_point_flag_t pseudorange_without_sagnac_load_item(
 SINGLE_POINT_INLINE single_point_flag_t pseudorange_without_sagnac_item(
     const pseudorange_without_sagnac_input_t *in,
     const pseudorange_without_sagnac_item_t *item,
-    pseudorange_without_sagnac_output_t *out,
-    bool passed)
+    pseudorange_without_sagnac_output_t *out)
 {
     const single_point_real_t range_vector_x = in->position_x - item->satellite_position_x;
     const single_point_real_t range_vector_y = in->position_y - item->satellite_position_y;
@@ -108,8 +107,7 @@ SINGLE_POINT_INLINE single_point_flag_t pseudorange_without_sagnac_item(
     const single_point_real_t range_squared_raw = (range_vector_x * range_vector_x) +
         (range_vector_y * range_vector_y) + (range_vector_z * range_vector_z);
     const bool range_squared_ok = is_within(range_squared_raw, 1.0e-12, 1.0e+30);
-    const single_point_real_t range_squared =
-        guarded(range_squared_raw, range_squared_ok, passed, 1.0);
+    const single_point_real_t range_squared = flagged(range_squared_raw, range_squared_ok, 1.0);
     const single_point_real_t range = sqrt(range_squared);
     const single_point_real_t inverse_range = 1.0 / range;  /* shared reciprocal */
 
