@@ -99,11 +99,11 @@ STANDARD_NAMES = frozenset(
 HELPER_NAMES = words(
     """
     are_four_centred are_four_within are_three_centred are_three_within are_two_centred
-    are_two_within cosine_of fetch_ahead first_failure flag_t flagged indices_to_lanes is_beyond
-    is_centred is_equal is_index_outside is_near_matrix is_near_quaternion is_outside
-    is_skewed_matrix is_skewed_quaternion is_small is_within lanes_to_rows larger_of
-    magnitude_of near_cosine near_sine nearest_whole rows_to_lanes sine_of smaller_of
-    take_centred take_index take_value turn_of
+    are_two_within cosine_of fetch_ahead first_failure flag_t guarded indices_to_lanes is_beyond
+    is_centred is_equal is_index_outside is_lane_centred is_near_matrix is_near_quaternion
+    is_outside is_skewed_matrix is_skewed_quaternion is_within lanes_to_rows larger_of
+    magnitude_of near_cosine near_sine nearest_whole read_centred read_value rows_to_lanes
+    sine_of smaller_of take_centred take_index take_value turn_of
     """
 )
 
@@ -127,7 +127,8 @@ STATE_ATTRIBUTES = words(
 FUNCTION_NAMES = words(
     """
     State StateBlocks Blocks BACKEND GuardError Status set_threads numpy native native_f32 casadi c
-    retract local types check state status real version manifest status_t real_t
+    retract local types check state status real version manifest
+    bits_t flag_t real_t status_t turn_t
     """
 )
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -27,7 +28,7 @@ def proven(tmp_path_factory: pytest.TempPathFactory) -> Library:
         text = file.read_text(encoding="utf-8")
         file.write_text(text.replace("#ifdef __FRAMAC__", "#if 1"), encoding="utf-8")
         changed += text.count("#ifdef __FRAMAC__")
-    assert changed > 2  # the two comparisons, and copies
+    assert changed > 7  # comparisons, norms, what is discarded, and copies
     return Library(load_extension(build.build(package)), "rover", np.float64)
 
 
@@ -42,10 +43,14 @@ def test_what_is_proven_computes_what_flies(
     for seed in range(2):
         inputs = draw(function, seed, n, np.float64)
         for argument in function.arguments:
-            for bad in () if argument.integer else (None, np.nan, np.inf, 1e300, -0.0):
+            size = inputs[argument.name].size
+            # The first, the last and a middle one: an element of each end and of another item.
+            places = sorted({0, size // 2, size - 1}) if size else [0]
+            spoilt = () if argument.integer else (None, np.nan, np.inf, 1e300, -1e9, -0.0)
+            for bad, where in product(spoilt, places):
                 given = {key: array.copy() for key, array in inputs.items()}
-                if bad is not None and given[argument.name].size:
-                    given[argument.name].flat[-1] = bad
+                if bad is not None and size:
+                    given[argument.name].flat[where] = bad
                 one, other = (lib.evaluate(function, given, n) for lib in (flies, proven))
                 assert one.status is other.status
                 assert one.outputs.keys() == other.outputs.keys()

@@ -153,8 +153,8 @@ def test_what_is_written_for_the_proof_alone_is_assumed() -> None:
     helpers = (directory() / "c" / "helpers").glob("*.j2")
     other = {path.stem for path in helpers if "#ifdef __FRAMAC__" in path.read_text()}
     assert other == {
-        *("is_within", "is_centred", "is_small", "is_near_quaternion", "is_near_matrix"),
-        *("take_centred", "take_value", "flagged"),
+        *("is_within", "is_centred", "is_lane_centred", "is_near_quaternion", "is_near_matrix"),
+        *("read_centred", "read_value", "guarded"),
     }
     (assumption,) = [text for text in ASSUMPTIONS if "__FRAMAC__" in text]
     assert all(name in assumption for name in other) and "magnitude" in assumption
@@ -210,7 +210,7 @@ BROKEN = {
     ),
     "NaN let through": (VALUE, "src/rover_check.h", "(value == value) && ", ""),
     "guard not read": (
-        VALUE, "src/rover_range_kernel.h", "flagged(range_squared_raw, range_squared_ok, 1.0)",
+        VALUE, "src/rover_range_kernel.h", "range_squared_ok ? range_squared_raw : 1.0",
         "range_squared_raw",
     ),
     "elements of a rotation not looked at": (

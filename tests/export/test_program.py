@@ -133,7 +133,11 @@ MISTAKES = {
         r"(in->antenna_z), 10\.0F",
         r"\1, 9.999999F",
     ),
-    "norm is not looked at": ("rover_f32_gps_kernel.h", r"skewed \|= near \?", "skewed |= true ?"),
+    "norm is not looked at": (
+        "rover_f32_gps_kernel.h",
+        r"skewed \|= bounded \?",
+        "skewed |= true ?",
+    ),
     "element of a run is forgotten": (
         "rover_f32_check.h",
         r"is_centred\(b, bound\) && (is_centred\(c)",
@@ -203,7 +207,7 @@ def test_finds(mistake: str, bundle: Exported, tmp_path: Path) -> None:
 
 BORDER_MISTAKES = {
     "bound": ("rover_gps_check.c", r"(x\[18\]), 10\.0", r"\1, 9.99999999999"),
-    "norm is not looked at": ("rover_gps_check.c", r"skewed \|= near \?", "skewed |= true ?"),
+    "norm is not looked at": ("rover_gps_check.c", r"skewed \|= bounded \?", "skewed |= true ?"),
     "item is not looked at": ("rover_range_check.c", r"item_status\[i\] = \(uint8_t\)loaded;", ""),
     "bad item passes": ("rover_range_check.c", r"failed \|= loaded", "failed |= 0U"),
     "count": (

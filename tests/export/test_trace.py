@@ -66,7 +66,7 @@ def switched(statement: str, row: Row, k: int, copies: Mapping[tuple[str, str], 
         forms.append(copies.get((row["function"], row["element"]), ""))
     (element,) = (form for form in forms if form and re.search(whole(form), statement))
     # Elements of a rotation are looked at where its norm does not bound them.
-    statement = re.sub(r"\bnear\b", f"(!FAIL({k}) && near)", statement)
+    statement = re.sub(r"\bbounded\b", f"(!FAIL({k}) && bounded)", statement)
     return re.sub(whole(element), rf"(FAIL({k}) ? {bad(row)} : \1)", statement, count=1)
 
 

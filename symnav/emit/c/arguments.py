@@ -13,9 +13,9 @@ from symnav.naming import words
 # Parameters and locals of the entry points and of the functions they call.
 LOCALS = words(
     """
-    base block codes common count covariance dense epoch epochs evaluated failed failure
-    first i in inside item item_status k lane loaded matrix minus n near next nonzeros out
-    outcome outside own reference rest result row shared sigma skewed status stride
+    base block bounded codes common count covariance dense epoch epochs evaluated failed failure
+    first i in inside item item_status k lane loaded matrix minus n next nonzeros out
+    outcome outside own passed reference rest result row shared sigma skewed status stride
     """
 )
 

@@ -43,7 +43,7 @@ _LIBRARY = {
     Operation.FLOOR: "floor",
 }
 
-# Operations that call the library; the others are instructions of a processor.
+# Operations that call the library, which may tell of an argument outside their domain.
 LIBRARY_CALLS = frozenset(_LIBRARY) - {Operation.SQRT, Operation.ABS, Operation.FLOOR}
 
 # Operations C99 has no operator or fast function for; each is an inline helper of the check file.

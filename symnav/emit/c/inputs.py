@@ -1,8 +1,9 @@
 """Inputs of a function: which elements its kernel reads, what they are called, how they load.
 
 Loading copies every element the kernel reads into a structure and checks every element that was
-declared. A copy is inside its range whatever the caller passed, so that nothing downstream sees
-a NaN, and a caller that lets an input and an output overlap by mistake cannot corrupt a result.
+declared, so that a caller that lets an input and an output overlap by mistake cannot corrupt a
+result. What is evaluated whatever the checks say, items and epochs side by side, gets a harmless
+number in the place of one outside its range where the function needs that (``discarding``).
 
 Where nothing is checked, what is read once per call stays with the caller: the structure holds
 where it is, and the kernel reads every element where it is first needed. A compiler that meets
@@ -17,6 +18,7 @@ from functools import cached_property
 
 from symnav import ir
 from symnav.emit.c import comments
+from symnav.emit.c.discarding import may_discard
 from symnav.emit.c.elements import Element, elements_of
 from symnav.emit.c.judging import Group, Judgement
 from symnav.emit.c.names import Names
@@ -46,6 +48,7 @@ class Inputs:
         chosen: for a load by a run-time slot, the array it chooses from.
         checked: True when every element is checked.
         strided: True when elements of an epoch may be a distance apart.
+        selects: True when flagged elements outside their range are replaced by harmless ones.
     """
 
     target: Target
@@ -56,6 +59,7 @@ class Inputs:
     chosen: Mapping[ir.Load, Span]
     checked: bool
     strided: bool
+    selects: bool
 
     @cached_property
     def elements(self) -> tuple[Element, ...]:
@@ -134,7 +138,7 @@ class Inputs:
         )
         kind, scope = ("item", "one item of ") if item else ("input", "")
         brief = f"Inputs of {scope}{self.name} as its kernel reads them"
-        state = ", each finite and inside its declared range." if self.checked else ", unchecked."
+        state = ", each checked against its range." if self.checked else ", unchecked."
         return Struct(f"{self.name}_{kind}_t", brief + state, tuple(fields))
 
     def loader(self, *, item: bool) -> Routine:
@@ -190,7 +194,8 @@ class Inputs:
             source, copy = self._source(element), self.place(element.load)
             plain = comments.code(f"{copy} = {source};")
             limits = limits_of(element, self.target)
-            again = comments.code(f"(void){limits.take}({source}, {limits.text}, &{copy});")
+            take = limits.take(selects=self.selects)
+            again = comments.code(f"(void){take}({source}, {limits.text}, &{copy});")
             copies += plain
             proven += again if self._is_flagged(element.argument) else plain
         return Routine(
@@ -271,7 +276,7 @@ class Inputs:
     def _domain_helpers(self, argument: ir.Argument, domain: ir.Domain) -> set[str]:
         elements = self._domain_elements(argument, domain)
         limits = [(limits_of(e, self.target), self._is_copied(e)) for e in elements]
-        names = {one.take if copied else one.test for one, copied in limits}
+        names = {one.take(selects=self.selects) if copied else one.test for one, copied in limits}
         return names | ({f"is_skewed_{domain.kind.value}"} if self._is_normed(domain) else set())
 
     @cached_property
@@ -366,7 +371,9 @@ class Inputs:
             return comments.code(f"{copy} = {source};") if copy else []
         limits = limits_of(element, self.target)
         if copy:
-            return comments.code(f"outside |= {limits.take}({source}, {limits.text}, &{copy});")
+            return comments.code(
+                f"outside |= {limits.take(selects=self.selects)}({source}, {limits.text}, &{copy});"
+            )
         return comments.code(f"outside |= {limits.test}({source}, {limits.text});")
 
     def _is_judged(self, argument: ir.Argument) -> bool:
@@ -409,6 +416,7 @@ def inputs_of(function: ir.Function, target: Target, loads: Collection[ir.Load])
     return Inputs(
         target, function.name, table, frozenset(copied - pointed), frozenset(pointed), chosen,
         function.checks_inputs, strided=function.maximum is None and not function.checks_inputs,
+        selects=not may_discard(function),
     )  # fmt: skip
 
 

@@ -125,9 +125,10 @@ class ItemLoops:
         load = f"{self._loaded}{self._load(place, copy)}"
         if passed and self.copies:
             load = self._copy(place, copy) if item else ""
+        told = [str(passed).lower()] if kernel.item_is_told else []
         evaluate = call(
             f"{kernel.local}_item",
-            [*self.context(address=False), *read, f"&{OUTPUT_POINTER}"],
+            [*self.context(address=False), *read, f"&{OUTPUT_POINTER}", *told],
         )
         verdict = "(void)" if passed else self.kept("evaluated")
         return {

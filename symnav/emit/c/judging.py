@@ -67,7 +67,7 @@ class Judgement:
 
     def helpers(self) -> set[str]:
         """Names of the check functions that are called."""
-        names = {f"is_near_{group.domain.kind.value}" for group in self._near}
+        names = {f"is_near_{group.domain.kind.value}" for group in self._bounded}
         names |= {f"is_skewed_{g.domain.kind.value}" for g in self.groups if has_norm(g.domain)}
         return names | {
             limits.condition(len(run))
@@ -76,7 +76,7 @@ class Judgement:
         }
 
     @cached_property
-    def _near(self) -> tuple[Group, ...]:
+    def _bounded(self) -> tuple[Group, ...]:
         """Groups of which the norm is looked at first."""
         return tuple(group for group in self.groups if self._is_bounded(group))
 
@@ -94,16 +94,16 @@ class Judgement:
 
     def _closeness(self) -> list[str]:
         """The statement that says whether all norms are so close that they bound the elements."""
-        near = " && ".join(group.norm(self.target, "is_near") for group in self._near)
-        return comments.code(f"const bool near = {near};") if near else []
+        bounded = " && ".join(group.norm(self.target, "is_near") for group in self._bounded)
+        return comments.code(f"const bool bounded = {bounded};") if bounded else []
 
     def _ranges(self) -> list[str]:
         """Statements that look at ranges, until one fails."""
         conditions = [" && ".join(self._tests(group)) for group in self._others]
-        bounded = [test for group in self._near for test in self._tests(group)]
-        if bounded:
-            alone = bounded[0] if len(bounded) == 1 else f"({' && '.join(bounded)})"
-            conditions.append(f"(near || {alone})" if conditions else f"near || {alone}")
+        tests = [test for group in self._bounded for test in self._tests(group)]
+        if tests:
+            alone = tests[0] if len(tests) == 1 else f"({' && '.join(tests)})"
+            conditions.append(f"(bounded || {alone})" if conditions else f"bounded || {alone}")
         lines: list[str] = []
         for condition in conditions:
             start = "inside = inside && " if lines else "bool inside = "
@@ -114,7 +114,7 @@ class Judgement:
         """The statement that looks at a norm, if there is one."""
         if not has_norm(group.domain):
             return []
-        return group.skewed(self.target, unless="near" if group in self._near else "")
+        return group.skewed(self.target, unless="bounded" if group in self._bounded else "")
 
     def _tests(self, group: Group) -> Iterator[str]:
         texts = iter(group.texts)

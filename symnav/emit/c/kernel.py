@@ -14,15 +14,7 @@ from itertools import groupby
 
 from symnav import ir
 from symnav.emit.c import comments
-from symnav.emit.c.expressions import (
-    HELPERS,
-    LIBRARY_CALLS,
-    SINUSOIDS,
-    Level,
-    Scope,
-    Text,
-    format_expression,
-)
+from symnav.emit.c.expressions import HELPERS, SINUSOIDS, Level, Scope, Text, format_expression
 from symnav.emit.c.inputs import INPUT_POINTER, ITEM_POINTER, Inputs, inputs_of
 from symnav.emit.c.names import Names
 from symnav.emit.c.pieces import Field, Routine, Struct, head
@@ -152,14 +144,9 @@ class Kernel:
         return self._can_fail(self.function.item)
 
     @property
-    def _item_discards(self) -> bool:
-        """True when an item goes on with what a guard did not let pass, to be discarded.
-
-        The wait for a selection costs more than the guard. Library functions are not called so:
-        some tell of arguments outside their domain.
-        """
-        called = operations_of([*self.function.item, *self._entries(self.results)]) & LIBRARY_CALLS
-        return self.mapped and self.item_fails and not called
+    def item_is_told(self) -> bool:
+        """True when the item part is told whether an item has passed: there are two passes."""
+        return self.mapped and self.function.items is ir.Items.REJECT and self.item_fails
 
     def _can_fail(self, steps: Iterable[ir.Step]) -> bool:
         """True when something in a body is checked."""
@@ -193,8 +180,8 @@ class Kernel:
         names = {HELPERS[operation] for operation in self._operations if operation in HELPERS}
         if self._can_fail(steps):
             names.add("is_within")
-        if self._item_discards:
-            names.add("flagged")
+        if self.item_is_told:
+            names.add("guarded")
         return names | self.inputs.helpers()
 
     def _own(self, output: ir.Output) -> bool:
@@ -326,10 +313,11 @@ class Kernel:
         if self.item_reads_item:
             declarations.append(f"const {self.inputs.struct(item=True).name} *{ITEM_POINTER}")
         declarations.append(f"{self.output_struct.name} *{OUTPUT_POINTER}")
+        declarations += ["bool passed"] if self.item_is_told else []
         scope = self._scope(item=True)
         seen = set(self._carried)
         body = [
-            *self._steps(self.function.item, scope, seen),
+            *self._steps(self.function.item, scope, seen, told=self.item_is_told),
             *self._assignments(self.results, OUTPUT_POINTER, scope, seen),
             *self._verdict(self.function.item),
         ]
@@ -347,11 +335,13 @@ class Kernel:
         struct = self.inputs.struct(item=False)
         return [f"const {struct.name} *{INPUT_POINTER}"] if wanted else []
 
-    def _steps(self, steps: Sequence[ir.Step], scope: Scope, seen: set[ir.Load]) -> Iterator[str]:
+    def _steps(
+        self, steps: Sequence[ir.Step], scope: Scope, seen: set[ir.Load], *, told: bool = False
+    ) -> Iterator[str]:
         for step in steps:
             yield from self.inputs.readings(loads_of([step]), seen)
             if isinstance(step, ir.Check):
-                yield from self._guard(step, scope)
+                yield from self._guard(step, scope, told=told)
             else:
                 text = format_expression(step.value, scope)
                 yield from comments.code(
@@ -359,8 +349,8 @@ class Kernel:
                     remark=step.comment,
                 )
 
-    def _guard(self, check: ir.Check, scope: Scope) -> list[str]:
-        """Select and flag."""
+    def _guard(self, check: ir.Check, scope: Scope, *, told: bool) -> list[str]:
+        """Select and flag, unless it is told that all has passed before."""
         real, target = self.target.real, self._names[check.target]
         value = format_expression(check.value, scope)
         if not self.function.checks_domain:
@@ -376,8 +366,8 @@ class Kernel:
         lines += comments.code(f"const bool {verdict} = {within};")
         substitute = self.target.literal(check.substitute)
         chosen = f"{verdict} ? {value} : {substitute}"
-        if self._item_discards and check in self.function.item:
-            chosen = f"flagged({value}, {verdict}, {substitute})"
+        if told:
+            chosen = f"guarded({value}, {verdict}, passed, {substitute})"
         return [*lines, *comments.code(f"const {real} {target} = {chosen};")]
 
     def _assignments(

@@ -2,8 +2,8 @@
 
 What a call reads once is judged by one condition, run by run: a comparison and a branch that is
 never taken cost a processor less than selecting a harmless number in its place, and nothing is
-evaluated after a condition that failed. Elements of items are selected and flagged one by one, so
-that neighbouring items may run side by side whatever each of them holds.
+evaluated after a condition that failed. Elements of items are flagged one by one, so that
+neighbouring items may run side by side whatever each of them holds.
 """
 
 from __future__ import annotations
@@ -34,10 +34,13 @@ class Limits:
     kind: str
     text: str
 
-    @property
-    def take(self) -> str:
-        """Helper that copies an element and flags it."""
-        return f"take_{self.kind}"
+    def take(self, *, selects: bool = True) -> str:
+        """Helper that copies an element and flags it.
+
+        Args:
+            selects: True when a harmless number is to stand for one outside the range.
+        """
+        return f"{'take' if selects or self.kind == 'index' else 'read'}_{self.kind}"
 
     @property
     def test(self) -> str:

@@ -61,9 +61,9 @@ DEVIATIONS: tuple[Deviation, ...] = (
         "The bits of magnitudes are in the order of the magnitudes, NaN above all of them: one "
         "comparison of integers is a check, without a library call where a processor has no "
         "arithmetic of that type.",
-        "Both members are of one size, which only IEEE 754 types pass; one function of two lines "
-        "uses it. Frama-C proves the comparisons in their place, and tests hold the two against "
-        "each other.",
+        "Both members are of one size, and one function of three statements uses the union. C99 "
+        "defines what reading the other member gives; compilers of C++ that take this code do so "
+        "too. Frama-C proves the comparisons in its place, which tests hold against it.",
     ),
 )
 """In the order of the rules. Tests find an entry for every finding, a finding for every entry."""

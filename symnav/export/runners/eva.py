@@ -99,14 +99,15 @@ ASSUMPTIONS = (
     "Pointers that are not null point to arrays as large as the header says, which do not overlap.",
     "Under __FRAMAC__ some things are written differently. is_within also compares the value with "
     "itself: by IEEE 754 a NaN fails the others already, which Eva 25 does not conclude. "
-    "is_centred and is_small do so as well, and make two comparisons, with either bound, where "
-    "what is compiled compares the magnitude with one, is_centred by the bits of both: by IEEE 754 "
-    "that is the same. is_near_quaternion and is_near_matrix say no, so that elements of a "
-    "rotation are looked at one by one: where what is compiled does without, the norm bounds them "
-    "more closely. take_centred, take_value and flagged put a number that is harmless in the place "
-    "of one outside its range; what is compiled goes on with it and discards what comes of it, "
-    "which may leave floating-point exceptions and errno behind. What is copied after it has "
-    "passed its checks is selected there once more, by the same comparisons of the same numbers.",
+    "is_centred and is_lane_centred do so as well, and make two comparisons, with either bound, "
+    "where what is compiled compares the magnitude with one, is_centred by the bits of both: by "
+    "IEEE 754 that is the same. is_near_quaternion and is_near_matrix say no, so that elements of "
+    "a rotation are looked at one by one: where what is compiled does without, the norm bounds "
+    "them more closely. read_centred and read_value put a number that is harmless in the place of "
+    "one outside its range; what is compiled goes on with it by sums and products alone (roots, "
+    "divisors and library functions read what a guard has selected) and discards what comes of "
+    "it. What has passed its checks, and is copied or guarded a second time, is selected there "
+    "once more, by the same comparisons of the same numbers.",
     "Items: every count from 0 to the maximum. Single differences: counts and references that the "
     "driver lists. Many epochs: as many as the driver lists, with inputs apart and the same.",
 )

@@ -125,7 +125,7 @@ EKF_CAL_GPS_INLINE bool is_centred(
 }
 
 /* True when a value, one of several in a vector register, is a number inside [-bound, bound]. */
-EKF_CAL_GPS_INLINE bool is_small(
+EKF_CAL_GPS_INLINE bool is_lane_centred(
     ekf_cal_gps_real_t value,
     ekf_cal_gps_real_t bound)
 {
@@ -159,8 +159,8 @@ EKF_CAL_GPS_INLINE bool are_four_centred(
            is_centred(c, bound) && is_centred(d, bound);
 }
 
-/* Copy a value. 1 when it is not a number inside a closed range, else 0: what is computed from it
-   is then discarded. */
+/* Copy a value into its range. Outside it, or for NaN, the lower end stands for it and 1 is
+   returned. */
 EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t take_value(
     ekf_cal_gps_real_t value,
     ekf_cal_gps_real_t lower,
@@ -169,22 +169,31 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t take_value(
 {
     const bool within = is_within(value, lower, upper);
 
-#ifdef __FRAMAC__ /* Eva does not know what is discarded. */
     *copy = within ? value : lower;
-#else
-    *copy = value;
-#endif
     return within ? (ekf_cal_gps_flag_t)0U : (ekf_cal_gps_flag_t)1U;
 }
 
-/* Copy a value. 1 when it is not a number inside [-bound, bound], else 0: what is computed from it
-   is then discarded. */
+/* Copy a value into [-bound, bound]. Outside it, or for NaN, zero stands for it and 1 is
+   returned. */
 EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t take_centred(
     ekf_cal_gps_real_t value,
     ekf_cal_gps_real_t bound,
     ekf_cal_gps_real_t *copy)
 {
-    const bool within = is_small(value, bound);
+    const bool within = is_lane_centred(value, bound);
+
+    *copy = within ? value : 0.0;
+    return within ? (ekf_cal_gps_flag_t)0U : (ekf_cal_gps_flag_t)1U;
+}
+
+/* Copy a value. 1 when it is not a number inside [-bound, bound], else 0: what is computed from
+   it is then discarded. */
+EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t read_centred(
+    ekf_cal_gps_real_t value,
+    ekf_cal_gps_real_t bound,
+    ekf_cal_gps_real_t *copy)
+{
+    const bool within = is_lane_centred(value, bound);
 
 #ifdef __FRAMAC__ /* Eva does not know what is discarded. */
     *copy = within ? value : 0.0;

@@ -71,27 +71,27 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t gps_load_lane(
     ekf_cal_gps_flag_t skewed = 0U;
 
     /* position [m, in l] */
-    outside |= take_centred(x[0], 1000000.0, &in->position_x);
-    outside |= take_centred(x[stride], 1000000.0, &in->position_y);
-    outside |= take_centred(x[2 * stride], 1000000.0, &in->position_z);
+    outside |= read_centred(x[0], 1000000.0, &in->position_x);
+    outside |= read_centred(x[stride], 1000000.0, &in->position_y);
+    outside |= read_centred(x[2 * stride], 1000000.0, &in->position_z);
 
     /* attitude [b -> l] */
-    outside |= take_centred(x[9 * stride], 1.00001, &in->attitude_w);
-    outside |= take_centred(x[10 * stride], 1.00001, &in->attitude_x);
-    outside |= take_centred(x[11 * stride], 1.00001, &in->attitude_y);
-    outside |= take_centred(x[12 * stride], 1.00001, &in->attitude_z);
+    outside |= read_centred(x[9 * stride], 1.00001, &in->attitude_w);
+    outside |= read_centred(x[10 * stride], 1.00001, &in->attitude_x);
+    outside |= read_centred(x[11 * stride], 1.00001, &in->attitude_y);
+    outside |= read_centred(x[12 * stride], 1.00001, &in->attitude_z);
     skewed |= is_skewed_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z,
         1.0e-05);
 
     /* antenna [m, in b] */
-    outside |= take_centred(x[19 * stride], 50.0, &in->antenna_x);
-    outside |= take_centred(x[20 * stride], 50.0, &in->antenna_y);
-    outside |= take_centred(x[21 * stride], 50.0, &in->antenna_z);
+    outside |= read_centred(x[19 * stride], 50.0, &in->antenna_x);
+    outside |= read_centred(x[20 * stride], 50.0, &in->antenna_y);
+    outside |= read_centred(x[21 * stride], 50.0, &in->antenna_z);
 
     /* measured [m, in l] */
-    outside |= take_centred(measured[0], 1000000000.0, &in->measured_x);
-    outside |= take_centred(measured[stride], 1000000000.0, &in->measured_y);
-    outside |= take_centred(measured[2 * stride], 1000000000.0, &in->measured_z);
+    outside |= read_centred(measured[0], 1000000000.0, &in->measured_x);
+    outside |= read_centred(measured[stride], 1000000000.0, &in->measured_y);
+    outside |= read_centred(measured[2 * stride], 1000000000.0, &in->measured_z);
 
     return ((ekf_cal_gps_flag_t)EKF_CAL_GPS_RANGE * outside) +
         ((ekf_cal_gps_flag_t)EKF_CAL_GPS_QNORM * (skewed & ~outside));
@@ -105,19 +105,19 @@ EKF_CAL_GPS_INLINE void gps_copy(
     gps_input_t *in)
 {
 #ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
-    (void)take_centred(x[0], 1000000.0, &in->position_x);
-    (void)take_centred(x[stride], 1000000.0, &in->position_y);
-    (void)take_centred(x[2 * stride], 1000000.0, &in->position_z);
-    (void)take_centred(x[9 * stride], 1.00001, &in->attitude_w);
-    (void)take_centred(x[10 * stride], 1.00001, &in->attitude_x);
-    (void)take_centred(x[11 * stride], 1.00001, &in->attitude_y);
-    (void)take_centred(x[12 * stride], 1.00001, &in->attitude_z);
-    (void)take_centred(x[19 * stride], 50.0, &in->antenna_x);
-    (void)take_centred(x[20 * stride], 50.0, &in->antenna_y);
-    (void)take_centred(x[21 * stride], 50.0, &in->antenna_z);
-    (void)take_centred(measured[0], 1000000000.0, &in->measured_x);
-    (void)take_centred(measured[stride], 1000000000.0, &in->measured_y);
-    (void)take_centred(measured[2 * stride], 1000000000.0, &in->measured_z);
+    (void)read_centred(x[0], 1000000.0, &in->position_x);
+    (void)read_centred(x[stride], 1000000.0, &in->position_y);
+    (void)read_centred(x[2 * stride], 1000000.0, &in->position_z);
+    (void)read_centred(x[9 * stride], 1.00001, &in->attitude_w);
+    (void)read_centred(x[10 * stride], 1.00001, &in->attitude_x);
+    (void)read_centred(x[11 * stride], 1.00001, &in->attitude_y);
+    (void)read_centred(x[12 * stride], 1.00001, &in->attitude_z);
+    (void)read_centred(x[19 * stride], 50.0, &in->antenna_x);
+    (void)read_centred(x[20 * stride], 50.0, &in->antenna_y);
+    (void)read_centred(x[21 * stride], 50.0, &in->antenna_z);
+    (void)read_centred(measured[0], 1000000000.0, &in->measured_x);
+    (void)read_centred(measured[stride], 1000000000.0, &in->measured_y);
+    (void)read_centred(measured[2 * stride], 1000000000.0, &in->measured_z);
 #else
     in->position_x = x[0];
     in->position_y = x[stride];

@@ -11,7 +11,7 @@
 #include "ekf_cal_gps/ekf_cal_gps_types.h"
 #include "ekf_cal_gps_check.h"
 
-/** Inputs of gps as its kernel reads them, each finite and inside its declared range. */
+/** Inputs of gps as its kernel reads them, each checked against its range. */
 typedef struct {
     ekf_cal_gps_real_t position_x;  /* m, in l */
     ekf_cal_gps_real_t position_y;  /* m, in l */
@@ -64,16 +64,17 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t gps_load(
     in->measured_y = measured[1];
     in->measured_z = measured[2];
 
-    const bool near =
+    const bool bounded =
         is_near_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.0e-05);
     bool inside = are_three_centred(in->position_x, in->position_y, in->position_z, 1000000.0);
     inside = inside && are_three_centred(in->antenna_x, in->antenna_y, in->antenna_z, 50.0);
     inside = inside &&
         are_three_centred(in->measured_x, in->measured_y, in->measured_z, 1000000000.0);
-    inside = inside && (near ||
+    inside = inside && (bounded ||
         are_four_centred(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.00001));
 
-    skewed |= near ? (ekf_cal_gps_flag_t)0U : is_skewed_quaternion(in->attitude_w, in->attitude_x,
+    skewed |= bounded ? (ekf_cal_gps_flag_t)0U :
+        is_skewed_quaternion(in->attitude_w, in->attitude_x,
         in->attitude_y, in->attitude_z, 1.0e-05);
 
     return (!inside) ? (ekf_cal_gps_flag_t)EKF_CAL_GPS_RANGE :

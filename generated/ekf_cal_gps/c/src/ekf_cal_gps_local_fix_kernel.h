@@ -12,7 +12,7 @@
 #include "ekf_cal_gps_check.h"
 #include "ekf_cal_gps_trigonometry.h"
 
-/** Inputs of local_fix as its kernel reads them, each finite and inside its declared range. */
+/** Inputs of local_fix as its kernel reads them, each checked against its range. */
 typedef struct {
     ekf_cal_gps_real_t heading;  /* rad, g -> l */
     ekf_cal_gps_real_t fix_latitude;  /* rad */

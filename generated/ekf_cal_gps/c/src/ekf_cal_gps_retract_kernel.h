@@ -12,7 +12,7 @@
 #include "ekf_cal_gps_check.h"
 #include "ekf_cal_gps_trigonometry.h"
 
-/** Inputs of retract as its kernel reads them, each finite and inside its declared range. */
+/** Inputs of retract as its kernel reads them, each checked against its range. */
 typedef struct {
     ekf_cal_gps_real_t position_x;  /* m, in l */
     ekf_cal_gps_real_t position_y;  /* m, in l */
@@ -143,7 +143,7 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t retract_load(
     in->d_antenna_y = d[19];
     in->d_antenna_z = d[20];
 
-    const bool near =
+    const bool bounded =
         is_near_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.0e-05);
     bool inside = are_three_centred(in->position_x, in->position_y, in->position_z, 1000000.0);
     inside = inside &&
@@ -168,10 +168,11 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t retract_load(
         in->d_angular_acceleration_z, 1000000000.0);
     inside = inside &&
         are_three_centred(in->d_antenna_x, in->d_antenna_y, in->d_antenna_z, 1000000000.0);
-    inside = inside && (near ||
+    inside = inside && (bounded ||
         are_four_centred(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.00001));
 
-    skewed |= near ? (ekf_cal_gps_flag_t)0U : is_skewed_quaternion(in->attitude_w, in->attitude_x,
+    skewed |= bounded ? (ekf_cal_gps_flag_t)0U :
+        is_skewed_quaternion(in->attitude_w, in->attitude_x,
         in->attitude_y, in->attitude_z, 1.0e-05);
 
     return (!inside) ? (ekf_cal_gps_flag_t)EKF_CAL_GPS_RANGE :

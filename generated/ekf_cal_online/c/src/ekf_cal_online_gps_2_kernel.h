@@ -12,7 +12,7 @@
 #include "ekf_cal_online_check.h"
 #include "ekf_cal_online_trigonometry.h"
 
-/** Inputs of gps_2 as its kernel reads them, each finite and inside its declared range. */
+/** Inputs of gps_2 as its kernel reads them, each checked against its range. */
 typedef struct {
     ekf_cal_online_real_t position_x;  /* m, in l */
     ekf_cal_online_real_t position_y;  /* m, in l */
@@ -79,7 +79,7 @@ EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t gps_2_load(
     in->measured_y = measured[1];
     in->measured_z = measured[2];
 
-    const bool near =
+    const bool bounded =
         is_near_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.0e-05);
     bool inside = are_three_centred(in->position_x, in->position_y, in->position_z, 1000000.0);
     inside = inside && is_centred(in->heading, 3.1416);
@@ -87,10 +87,10 @@ EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t gps_2_load(
     inside = inside && are_three_centred(in->origin_x, in->origin_y, in->origin_z, 10000000.0);
     inside = inside &&
         are_three_centred(in->measured_x, in->measured_y, in->measured_z, 1000000000.0);
-    inside = inside && (near ||
+    inside = inside && (bounded ||
         are_four_centred(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.00001));
 
-    skewed |= near ? (ekf_cal_online_flag_t)0U :
+    skewed |= bounded ? (ekf_cal_online_flag_t)0U :
         is_skewed_quaternion(in->attitude_w, in->attitude_x,
         in->attitude_y, in->attitude_z, 1.0e-05);
 

@@ -11,7 +11,7 @@
 #include "ekf_cal_online/ekf_cal_online_types.h"
 #include "ekf_cal_online_check.h"
 
-/** Inputs of local as its kernel reads them, each finite and inside its declared range. */
+/** Inputs of local as its kernel reads them, each checked against its range. */
 typedef struct {
     ekf_cal_online_real_t position_x;  /* m, in l */
     ekf_cal_online_real_t position_y;  /* m, in l */
@@ -168,7 +168,7 @@ EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t local_load(
     in->y_antenna_2_y = y[24];
     in->y_antenna_2_z = y[25];
 
-    const bool near = is_near_quaternion(in->attitude_w, in->attitude_x, in->attitude_y,
+    const bool bounded = is_near_quaternion(in->attitude_w, in->attitude_x, in->attitude_y,
         in->attitude_z, 1.0e-05) && is_near_quaternion(in->y_attitude_w, in->y_attitude_x,
         in->y_attitude_y, in->y_attitude_z, 1.0e-05);
     bool inside = are_three_centred(in->position_x, in->position_y, in->position_z, 1000000.0);
@@ -198,14 +198,14 @@ EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t local_load(
         are_three_centred(in->y_antenna_1_x, in->y_antenna_1_y, in->y_antenna_1_z, 50.0);
     inside = inside &&
         are_three_centred(in->y_antenna_2_x, in->y_antenna_2_y, in->y_antenna_2_z, 50.0);
-    inside = inside && (near || (are_four_centred(in->attitude_w, in->attitude_x, in->attitude_y,
+    inside = inside && (bounded || (are_four_centred(in->attitude_w, in->attitude_x, in->attitude_y,
         in->attitude_z, 1.00001) && are_four_centred(in->y_attitude_w, in->y_attitude_x,
         in->y_attitude_y, in->y_attitude_z, 1.00001)));
 
-    skewed |= near ? (ekf_cal_online_flag_t)0U :
+    skewed |= bounded ? (ekf_cal_online_flag_t)0U :
         is_skewed_quaternion(in->attitude_w, in->attitude_x,
         in->attitude_y, in->attitude_z, 1.0e-05);
-    skewed |= near ? (ekf_cal_online_flag_t)0U :
+    skewed |= bounded ? (ekf_cal_online_flag_t)0U :
         is_skewed_quaternion(in->y_attitude_w, in->y_attitude_x,
         in->y_attitude_y, in->y_attitude_z, 1.0e-05);
 

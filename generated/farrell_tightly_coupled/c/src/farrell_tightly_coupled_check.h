@@ -127,7 +127,7 @@ FARRELL_TIGHTLY_COUPLED_INLINE bool is_centred(
 }
 
 /* True when a value, one of several in a vector register, is a number inside [-bound, bound]. */
-FARRELL_TIGHTLY_COUPLED_INLINE bool is_small(
+FARRELL_TIGHTLY_COUPLED_INLINE bool is_lane_centred(
     farrell_tightly_coupled_real_t value,
     farrell_tightly_coupled_real_t bound)
 {
@@ -166,28 +166,12 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t is_beyond(
     farrell_tightly_coupled_real_t value,
     farrell_tightly_coupled_real_t bound)
 {
-    return is_small(value, bound) ? (farrell_tightly_coupled_flag_t)0U :
+    return is_lane_centred(value, bound) ? (farrell_tightly_coupled_flag_t)0U :
         (farrell_tightly_coupled_flag_t)1U;
 }
 
-/* A number that a guard of an item has looked at: what is computed from one that did not pass is
-   discarded. */
-FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_real_t flagged(
-    farrell_tightly_coupled_real_t value,
-    bool ok,
-    farrell_tightly_coupled_real_t substitute)
-{
-#ifdef __FRAMAC__ /* Eva does not know what is discarded. */
-    return ok ? value : substitute;
-#else
-    (void)ok;
-    (void)substitute;
-    return value;
-#endif
-}
-
-/* Copy a value. 1 when it is not a number inside a closed range, else 0: what is computed from it
-   is then discarded. */
+/* Copy a value into its range. Outside it, or for NaN, the lower end stands for it and 1 is
+   returned. */
 FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t take_value(
     farrell_tightly_coupled_real_t value,
     farrell_tightly_coupled_real_t lower,
@@ -196,22 +180,31 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t take_value(
 {
     const bool within = is_within(value, lower, upper);
 
-#ifdef __FRAMAC__ /* Eva does not know what is discarded. */
     *copy = within ? value : lower;
-#else
-    *copy = value;
-#endif
     return within ? (farrell_tightly_coupled_flag_t)0U : (farrell_tightly_coupled_flag_t)1U;
 }
 
-/* Copy a value. 1 when it is not a number inside [-bound, bound], else 0: what is computed from it
-   is then discarded. */
+/* Copy a value into [-bound, bound]. Outside it, or for NaN, zero stands for it and 1 is
+   returned. */
 FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t take_centred(
     farrell_tightly_coupled_real_t value,
     farrell_tightly_coupled_real_t bound,
     farrell_tightly_coupled_real_t *copy)
 {
-    const bool within = is_small(value, bound);
+    const bool within = is_lane_centred(value, bound);
+
+    *copy = within ? value : 0.0;
+    return within ? (farrell_tightly_coupled_flag_t)0U : (farrell_tightly_coupled_flag_t)1U;
+}
+
+/* Copy a value. 1 when it is not a number inside [-bound, bound], else 0: what is computed from
+   it is then discarded. */
+FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t read_centred(
+    farrell_tightly_coupled_real_t value,
+    farrell_tightly_coupled_real_t bound,
+    farrell_tightly_coupled_real_t *copy)
+{
+    const bool within = is_lane_centred(value, bound);
 
 #ifdef __FRAMAC__ /* Eva does not know what is discarded. */
     *copy = within ? value : 0.0;

@@ -11,7 +11,7 @@
 #include "farrell_tightly_coupled/farrell_tightly_coupled_types.h"
 #include "farrell_tightly_coupled_check.h"
 
-/** Inputs of local as its kernel reads them, each finite and inside its declared range. */
+/** Inputs of local as its kernel reads them, each checked against its range. */
 typedef struct {
     farrell_tightly_coupled_real_t dp_x;  /* m, in n */
     farrell_tightly_coupled_real_t dp_y;  /* m, in n */
@@ -128,7 +128,8 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t local_load(
     in->y_x_g_y = y[16];
     in->y_x_g_z = y[17];
 
-    const bool near = is_near_quaternion(in->drho_w, in->drho_x, in->drho_y, in->drho_z, 1.0e-05) &&
+    const bool bounded =
+        is_near_quaternion(in->drho_w, in->drho_x, in->drho_y, in->drho_z, 1.0e-05) &&
         is_near_quaternion(in->y_drho_w, in->y_drho_x, in->y_drho_y, in->y_drho_z, 1.0e-05);
     bool inside = are_three_centred(in->dp_x, in->dp_y, in->dp_z, 1000000.0);
     inside = inside && is_centred(in->b_u, 100000000.0);
@@ -142,13 +143,13 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t local_load(
     inside = inside && is_centred(in->y_b_u_dot, 1000000000.0);
     inside = inside && are_three_centred(in->y_x_a_x, in->y_x_a_y, in->y_x_a_z, 1000000000.0);
     inside = inside && are_three_centred(in->y_x_g_x, in->y_x_g_y, in->y_x_g_z, 1000000000.0);
-    inside = inside && (near ||
+    inside = inside && (bounded ||
         (are_four_centred(in->drho_w, in->drho_x, in->drho_y, in->drho_z, 1.00001) &&
         are_four_centred(in->y_drho_w, in->y_drho_x, in->y_drho_y, in->y_drho_z, 1.00001)));
 
-    skewed |= near ? (farrell_tightly_coupled_flag_t)0U :
+    skewed |= bounded ? (farrell_tightly_coupled_flag_t)0U :
         is_skewed_quaternion(in->drho_w, in->drho_x, in->drho_y, in->drho_z, 1.0e-05);
-    skewed |= near ? (farrell_tightly_coupled_flag_t)0U :
+    skewed |= bounded ? (farrell_tightly_coupled_flag_t)0U :
         is_skewed_quaternion(in->y_drho_w, in->y_drho_x, in->y_drho_y, in->y_drho_z, 1.0e-05);
 
     return (!inside) ? (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_RANGE :

@@ -11,7 +11,7 @@
 #include "farrell_tightly_coupled/farrell_tightly_coupled_types.h"
 #include "farrell_tightly_coupled_check.h"
 
-/** Inputs of pseudorange as its kernel reads them, each finite and inside its declared range. */
+/** Inputs of pseudorange as its kernel reads them, each checked against its range. */
 typedef struct {
     farrell_tightly_coupled_real_t dp_x;  /* m, in n */
     farrell_tightly_coupled_real_t dp_y;  /* m, in n */
@@ -38,8 +38,7 @@ typedef struct {
     farrell_tightly_coupled_real_t antenna_z;
 } pseudorange_shared_t;
 
-/** Inputs of one item of pseudorange as its kernel reads them, each finite and inside its
-    declared range. */
+/** Inputs of one item of pseudorange as its kernel reads them, each checked against its range. */
 typedef struct {
     farrell_tightly_coupled_real_t satellite_position_x;  /* m, in e */
     farrell_tightly_coupled_real_t satellite_position_y;  /* m, in e */
@@ -87,17 +86,17 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t pseudorange_load(
     in->origin_y = origin[1];
     in->origin_z = origin[2];
 
-    const bool near = is_near_matrix(in->c_n_e_00, in->c_n_e_01, in->c_n_e_02, in->c_n_e_10,
+    const bool bounded = is_near_matrix(in->c_n_e_00, in->c_n_e_01, in->c_n_e_02, in->c_n_e_10,
         in->c_n_e_11, in->c_n_e_12, in->c_n_e_20, in->c_n_e_21, in->c_n_e_22, 1.0e-05);
     bool inside = are_three_centred(in->dp_x, in->dp_y, in->dp_z, 1000000.0);
     inside = inside && is_centred(in->b_u, 100000000.0);
     inside = inside && are_three_centred(in->origin_x, in->origin_y, in->origin_z, 100000000.0);
-    inside = inside && (near ||
+    inside = inside && (bounded ||
         (are_four_centred(in->c_n_e_00, in->c_n_e_01, in->c_n_e_02, in->c_n_e_10, 1.00001) &&
         are_four_centred(in->c_n_e_11, in->c_n_e_12, in->c_n_e_20, in->c_n_e_21, 1.00001) &&
         is_centred(in->c_n_e_22, 1.00001)));
 
-    skewed |= near ? (farrell_tightly_coupled_flag_t)0U :
+    skewed |= bounded ? (farrell_tightly_coupled_flag_t)0U :
         is_skewed_matrix(in->c_n_e_00, in->c_n_e_01, in->c_n_e_02,
         in->c_n_e_10, in->c_n_e_11, in->c_n_e_12, in->c_n_e_20, in->c_n_e_21, in->c_n_e_22,
         1.0e-05);
@@ -139,12 +138,12 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t pseudorange_load_i
     farrell_tightly_coupled_flag_t outside = 0U;
 
     /* satellite_position [m, in e] */
-    outside |= take_centred(satellite_position[0], 100000000.0, &item->satellite_position_x);
-    outside |= take_centred(satellite_position[1], 100000000.0, &item->satellite_position_y);
-    outside |= take_centred(satellite_position[2], 100000000.0, &item->satellite_position_z);
+    outside |= read_centred(satellite_position[0], 100000000.0, &item->satellite_position_x);
+    outside |= read_centred(satellite_position[1], 100000000.0, &item->satellite_position_y);
+    outside |= read_centred(satellite_position[2], 100000000.0, &item->satellite_position_z);
 
     /* measured [m] */
-    outside |= take_centred(measured[0], 1000000000.0, &item->measured);
+    outside |= read_centred(measured[0], 1000000000.0, &item->measured);
 
     return (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_RANGE * outside;
 }
@@ -166,8 +165,7 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t pseudorange_item(
     const farrell_tightly_coupled_real_t range_squared_raw = (range_vector_x * range_vector_x) +
         (range_vector_y * range_vector_y) + (range_vector_z * range_vector_z);
     const bool range_squared_ok = is_within(range_squared_raw, 1.0e-12, 1.0e+30);
-    const farrell_tightly_coupled_real_t range_squared =
-        flagged(range_squared_raw, range_squared_ok, 1.0);
+    const farrell_tightly_coupled_real_t range_squared = range_squared_ok ? range_squared_raw : 1.0;
     const farrell_tightly_coupled_real_t range = sqrt(range_squared);
     const farrell_tightly_coupled_real_t inverse_range = 1.0 / range;  /* shared reciprocal */
     const farrell_tightly_coupled_real_t range_direction_x = range_vector_x * inverse_range;

@@ -12,7 +12,7 @@
 #include "farrell_tightly_coupled_check.h"
 #include "farrell_tightly_coupled_trigonometry.h"
 
-/** Inputs of retract as its kernel reads them, each finite and inside its declared range. */
+/** Inputs of retract as its kernel reads them, each checked against its range. */
 typedef struct {
     farrell_tightly_coupled_real_t dp_x;  /* m, in n */
     farrell_tightly_coupled_real_t dp_y;  /* m, in n */
@@ -127,7 +127,8 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t retract_load(
     in->d_x_g_y = d[15];
     in->d_x_g_z = d[16];
 
-    const bool near = is_near_quaternion(in->drho_w, in->drho_x, in->drho_y, in->drho_z, 1.0e-05);
+    const bool bounded =
+        is_near_quaternion(in->drho_w, in->drho_x, in->drho_y, in->drho_z, 1.0e-05);
     bool inside = are_three_centred(in->dp_x, in->dp_y, in->dp_z, 1000000.0);
     inside = inside && is_centred(in->b_u, 100000000.0);
     inside = inside && are_three_centred(in->dv_x, in->dv_y, in->dv_z, 1000000000.0);
@@ -142,9 +143,9 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t retract_load(
     inside = inside && are_three_centred(in->d_x_a_x, in->d_x_a_y, in->d_x_a_z, 1000000000.0);
     inside = inside && are_three_centred(in->d_x_g_x, in->d_x_g_y, in->d_x_g_z, 1000000000.0);
     inside = inside &&
-        (near || are_four_centred(in->drho_w, in->drho_x, in->drho_y, in->drho_z, 1.00001));
+        (bounded || are_four_centred(in->drho_w, in->drho_x, in->drho_y, in->drho_z, 1.00001));
 
-    skewed |= near ? (farrell_tightly_coupled_flag_t)0U :
+    skewed |= bounded ? (farrell_tightly_coupled_flag_t)0U :
         is_skewed_quaternion(in->drho_w, in->drho_x, in->drho_y, in->drho_z, 1.0e-05);
 
     return (!inside) ? (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_RANGE :

@@ -11,7 +11,7 @@
 #include "navtk_specific_force/navtk_specific_force_types.h"
 #include "navtk_specific_force_check.h"
 
-/** Inputs of calc_force as its kernel reads them, each finite and inside its declared range. */
+/** Inputs of calc_force as its kernel reads them, each checked against its range. */
 typedef struct {
     navtk_specific_force_real_t dcm_00;  /* s -> n */
     navtk_specific_force_real_t dcm_01;  /* s -> n */
@@ -74,20 +74,20 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t calc_force_load(
     /* dt [s] */
     in->dt = dt[0];
 
-    const bool near = is_near_matrix(in->dcm_00, in->dcm_01, in->dcm_02, in->dcm_10, in->dcm_11,
+    const bool bounded = is_near_matrix(in->dcm_00, in->dcm_01, in->dcm_02, in->dcm_10, in->dcm_11,
         in->dcm_12, in->dcm_20, in->dcm_21, in->dcm_22, 1.0e-05);
     bool inside = are_three_centred(in->delta_theta_x, in->delta_theta_y, in->delta_theta_z, 0.5);
     inside = inside &&
         are_three_centred(in->delta_velocity_x, in->delta_velocity_y, in->delta_velocity_z, 50.0);
     inside = inside && is_within(in->dt, 1.0e-05, 0.05);
-    inside = inside && (near ||
+    inside = inside && (bounded ||
         (are_four_centred(in->dcm_00, in->dcm_01, in->dcm_02, in->dcm_10, 1.00001) &&
         are_four_centred(in->dcm_11, in->dcm_12, in->dcm_20, in->dcm_21, 1.00001) &&
         is_centred(in->dcm_22, 1.00001)));
 
-    skewed |= near ? (navtk_specific_force_flag_t)0U :
-        is_skewed_matrix(in->dcm_00, in->dcm_01, in->dcm_02, in->dcm_10,
-        in->dcm_11, in->dcm_12, in->dcm_20, in->dcm_21, in->dcm_22, 1.0e-05);
+    skewed |= bounded ? (navtk_specific_force_flag_t)0U :
+        is_skewed_matrix(in->dcm_00, in->dcm_01, in->dcm_02,
+        in->dcm_10, in->dcm_11, in->dcm_12, in->dcm_20, in->dcm_21, in->dcm_22, 1.0e-05);
 
     return (!inside) ? (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_RANGE :
         ((skewed != 0U) ? (navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_QNORM :

@@ -126,7 +126,7 @@ NAVTK_SPECIFIC_FORCE_INLINE bool is_centred(
 }
 
 /* True when a value, one of several in a vector register, is a number inside [-bound, bound]. */
-NAVTK_SPECIFIC_FORCE_INLINE bool is_small(
+NAVTK_SPECIFIC_FORCE_INLINE bool is_lane_centred(
     navtk_specific_force_real_t value,
     navtk_specific_force_real_t bound)
 {
@@ -165,12 +165,12 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t is_beyond(
     navtk_specific_force_real_t value,
     navtk_specific_force_real_t bound)
 {
-    return is_small(value, bound) ? (navtk_specific_force_flag_t)0U :
+    return is_lane_centred(value, bound) ? (navtk_specific_force_flag_t)0U :
         (navtk_specific_force_flag_t)1U;
 }
 
-/* Copy a value. 1 when it is not a number inside a closed range, else 0: what is computed from it
-   is then discarded. */
+/* Copy a value into its range. Outside it, or for NaN, the lower end stands for it and 1 is
+   returned. */
 NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t take_value(
     navtk_specific_force_real_t value,
     navtk_specific_force_real_t lower,
@@ -179,28 +179,20 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t take_value(
 {
     const bool within = is_within(value, lower, upper);
 
-#ifdef __FRAMAC__ /* Eva does not know what is discarded. */
     *copy = within ? value : lower;
-#else
-    *copy = value;
-#endif
     return within ? (navtk_specific_force_flag_t)0U : (navtk_specific_force_flag_t)1U;
 }
 
-/* Copy a value. 1 when it is not a number inside [-bound, bound], else 0: what is computed from it
-   is then discarded. */
+/* Copy a value into [-bound, bound]. Outside it, or for NaN, zero stands for it and 1 is
+   returned. */
 NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t take_centred(
     navtk_specific_force_real_t value,
     navtk_specific_force_real_t bound,
     navtk_specific_force_real_t *copy)
 {
-    const bool within = is_small(value, bound);
+    const bool within = is_lane_centred(value, bound);
 
-#ifdef __FRAMAC__ /* Eva does not know what is discarded. */
     *copy = within ? value : 0.0;
-#else
-    *copy = value;
-#endif
     return within ? (navtk_specific_force_flag_t)0U : (navtk_specific_force_flag_t)1U;
 }
 

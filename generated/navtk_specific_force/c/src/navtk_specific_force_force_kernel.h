@@ -11,7 +11,7 @@
 #include "navtk_specific_force/navtk_specific_force_types.h"
 #include "navtk_specific_force_check.h"
 
-/** Inputs of force as its kernel reads them, each finite and inside its declared range. */
+/** Inputs of force as its kernel reads them, each checked against its range. */
 typedef struct {
     navtk_specific_force_real_t attitude_w;  /* s -> n */
     navtk_specific_force_real_t attitude_x;  /* s -> n */
@@ -80,7 +80,7 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t force_load(
     /* dt [s] */
     in->dt = dt[0];
 
-    const bool near =
+    const bool bounded =
         is_near_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.0e-05);
     bool inside = are_three_centred(in->accelerometer_bias_x, in->accelerometer_bias_y,
         in->accelerometer_bias_z, 1.0);
@@ -90,10 +90,10 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t force_load(
     inside = inside &&
         are_three_centred(in->delta_velocity_x, in->delta_velocity_y, in->delta_velocity_z, 50.0);
     inside = inside && is_within(in->dt, 1.0e-05, 0.05);
-    inside = inside && (near ||
+    inside = inside && (bounded ||
         are_four_centred(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.00001));
 
-    skewed |= near ? (navtk_specific_force_flag_t)0U :
+    skewed |= bounded ? (navtk_specific_force_flag_t)0U :
         is_skewed_quaternion(in->attitude_w, in->attitude_x,
         in->attitude_y, in->attitude_z, 1.0e-05);
 

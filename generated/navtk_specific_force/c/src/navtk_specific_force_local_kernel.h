@@ -11,7 +11,7 @@
 #include "navtk_specific_force/navtk_specific_force_types.h"
 #include "navtk_specific_force_check.h"
 
-/** Inputs of local as its kernel reads them, each finite and inside its declared range. */
+/** Inputs of local as its kernel reads them, each checked against its range. */
 typedef struct {
     navtk_specific_force_real_t position_x;  /* m, in n */
     navtk_specific_force_real_t position_y;  /* m, in n */
@@ -112,7 +112,7 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t local_load(
     in->y_gyro_bias_y = y[14];
     in->y_gyro_bias_z = y[15];
 
-    const bool near = is_near_quaternion(in->attitude_w, in->attitude_x, in->attitude_y,
+    const bool bounded = is_near_quaternion(in->attitude_w, in->attitude_x, in->attitude_y,
         in->attitude_z, 1.0e-05) && is_near_quaternion(in->y_attitude_w, in->y_attitude_x,
         in->y_attitude_y, in->y_attitude_z, 1.0e-05);
     bool inside = are_three_centred(in->position_x, in->position_y, in->position_z, 1000000000.0);
@@ -129,14 +129,14 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t local_load(
         in->y_accelerometer_bias_z, 1.0);
     inside = inside &&
         are_three_centred(in->y_gyro_bias_x, in->y_gyro_bias_y, in->y_gyro_bias_z, 0.1);
-    inside = inside && (near || (are_four_centred(in->attitude_w, in->attitude_x, in->attitude_y,
+    inside = inside && (bounded || (are_four_centred(in->attitude_w, in->attitude_x, in->attitude_y,
         in->attitude_z, 1.00001) && are_four_centred(in->y_attitude_w, in->y_attitude_x,
         in->y_attitude_y, in->y_attitude_z, 1.00001)));
 
-    skewed |= near ? (navtk_specific_force_flag_t)0U :
+    skewed |= bounded ? (navtk_specific_force_flag_t)0U :
         is_skewed_quaternion(in->attitude_w, in->attitude_x,
         in->attitude_y, in->attitude_z, 1.0e-05);
-    skewed |= near ? (navtk_specific_force_flag_t)0U :
+    skewed |= bounded ? (navtk_specific_force_flag_t)0U :
         is_skewed_quaternion(in->y_attitude_w, in->y_attitude_x,
         in->y_attitude_y, in->y_attitude_z, 1.0e-05);
 

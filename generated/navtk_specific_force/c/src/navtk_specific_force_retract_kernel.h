@@ -12,7 +12,7 @@
 #include "navtk_specific_force_check.h"
 #include "navtk_specific_force_trigonometry.h"
 
-/** Inputs of retract as its kernel reads them, each finite and inside its declared range. */
+/** Inputs of retract as its kernel reads them, each checked against its range. */
 typedef struct {
     navtk_specific_force_real_t position_x;  /* m, in n */
     navtk_specific_force_real_t position_y;  /* m, in n */
@@ -111,7 +111,7 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t retract_load(
     in->d_gyro_bias_y = d[13];
     in->d_gyro_bias_z = d[14];
 
-    const bool near =
+    const bool bounded =
         is_near_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.0e-05);
     bool inside = are_three_centred(in->position_x, in->position_y, in->position_z, 1000000000.0);
     inside = inside &&
@@ -128,10 +128,10 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t retract_load(
         in->d_accelerometer_bias_z, 1000000000.0);
     inside = inside &&
         are_three_centred(in->d_gyro_bias_x, in->d_gyro_bias_y, in->d_gyro_bias_z, 1000000000.0);
-    inside = inside && (near ||
+    inside = inside && (bounded ||
         are_four_centred(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.00001));
 
-    skewed |= near ? (navtk_specific_force_flag_t)0U :
+    skewed |= bounded ? (navtk_specific_force_flag_t)0U :
         is_skewed_quaternion(in->attitude_w, in->attitude_x,
         in->attitude_y, in->attitude_z, 1.0e-05);
 

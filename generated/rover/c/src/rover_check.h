@@ -125,7 +125,7 @@ ROVER_INLINE bool is_centred(
 }
 
 /* True when a value, one of several in a vector register, is a number inside [-bound, bound]. */
-ROVER_INLINE bool is_small(
+ROVER_INLINE bool is_lane_centred(
     rover_real_t value,
     rover_real_t bound)
 {
@@ -176,25 +176,36 @@ ROVER_INLINE bool is_equal(
     return (first <= second) && (first >= second);
 }
 
-/* A number that a guard of an item has looked at: what is computed from one that did not pass is
-   discarded. */
-ROVER_INLINE rover_real_t flagged(
+/* Copy a value into its range. Outside it, or for NaN, the lower end stands for it and 1 is
+   returned. */
+ROVER_INLINE rover_flag_t take_value(
     rover_real_t value,
-    bool ok,
-    rover_real_t substitute)
+    rover_real_t lower,
+    rover_real_t upper,
+    rover_real_t *copy)
 {
-#ifdef __FRAMAC__ /* Eva does not know what is discarded. */
-    return ok ? value : substitute;
-#else
-    (void)ok;
-    (void)substitute;
-    return value;
-#endif
+    const bool within = is_within(value, lower, upper);
+
+    *copy = within ? value : lower;
+    return within ? (rover_flag_t)0U : (rover_flag_t)1U;
 }
 
-/* Copy a value. 1 when it is not a number inside a closed range, else 0: what is computed from it
-   is then discarded. */
-ROVER_INLINE rover_flag_t take_value(
+/* Copy a value into [-bound, bound]. Outside it, or for NaN, zero stands for it and 1 is
+   returned. */
+ROVER_INLINE rover_flag_t take_centred(
+    rover_real_t value,
+    rover_real_t bound,
+    rover_real_t *copy)
+{
+    const bool within = is_lane_centred(value, bound);
+
+    *copy = within ? value : 0.0;
+    return within ? (rover_flag_t)0U : (rover_flag_t)1U;
+}
+
+/* Copy a value. 1 when it is not a number inside its range, else 0: what is computed from it is
+   then discarded. */
+ROVER_INLINE rover_flag_t read_value(
     rover_real_t value,
     rover_real_t lower,
     rover_real_t upper,
@@ -210,14 +221,14 @@ ROVER_INLINE rover_flag_t take_value(
     return within ? (rover_flag_t)0U : (rover_flag_t)1U;
 }
 
-/* Copy a value. 1 when it is not a number inside [-bound, bound], else 0: what is computed from it
-   is then discarded. */
-ROVER_INLINE rover_flag_t take_centred(
+/* Copy a value. 1 when it is not a number inside [-bound, bound], else 0: what is computed from
+   it is then discarded. */
+ROVER_INLINE rover_flag_t read_centred(
     rover_real_t value,
     rover_real_t bound,
     rover_real_t *copy)
 {
-    const bool within = is_small(value, bound);
+    const bool within = is_lane_centred(value, bound);
 
 #ifdef __FRAMAC__ /* Eva does not know what is discarded. */
     *copy = within ? value : 0.0;

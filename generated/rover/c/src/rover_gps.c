@@ -50,22 +50,22 @@ ROVER_INLINE rover_flag_t gps_load_lane(const rover_real_t x[], int32_t stride, 
     rover_flag_t skewed = 0U;
 
     /* position [m, in n] */
-    outside |= take_centred(x[0], 100000.0, &in->position_x);
-    outside |= take_centred(x[stride], 100000.0, &in->position_y);
-    outside |= take_centred(x[2 * stride], 100000.0, &in->position_z);
+    outside |= read_centred(x[0], 100000.0, &in->position_x);
+    outside |= read_centred(x[stride], 100000.0, &in->position_y);
+    outside |= read_centred(x[2 * stride], 100000.0, &in->position_z);
 
     /* attitude [b -> n] */
-    outside |= take_centred(x[6 * stride], 1.00001, &in->attitude_w);
-    outside |= take_centred(x[7 * stride], 1.00001, &in->attitude_x);
-    outside |= take_centred(x[8 * stride], 1.00001, &in->attitude_y);
-    outside |= take_centred(x[9 * stride], 1.00001, &in->attitude_z);
+    outside |= read_centred(x[6 * stride], 1.00001, &in->attitude_w);
+    outside |= read_centred(x[7 * stride], 1.00001, &in->attitude_x);
+    outside |= read_centred(x[8 * stride], 1.00001, &in->attitude_y);
+    outside |= read_centred(x[9 * stride], 1.00001, &in->attitude_z);
     skewed |= is_skewed_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z,
         1.0e-05);
 
     /* antenna [m, in b] */
-    outside |= take_centred(x[16 * stride], 10.0, &in->antenna_x);
-    outside |= take_centred(x[17 * stride], 10.0, &in->antenna_y);
-    outside |= take_centred(x[18 * stride], 10.0, &in->antenna_z);
+    outside |= read_centred(x[16 * stride], 10.0, &in->antenna_x);
+    outside |= read_centred(x[17 * stride], 10.0, &in->antenna_y);
+    outside |= read_centred(x[18 * stride], 10.0, &in->antenna_z);
 
     return ((rover_flag_t)ROVER_RANGE * outside) +
         ((rover_flag_t)ROVER_QNORM * (skewed & ~outside));
@@ -75,16 +75,16 @@ ROVER_INLINE rover_flag_t gps_load_lane(const rover_real_t x[], int32_t stride, 
 ROVER_INLINE void gps_copy(const rover_real_t x[], int32_t stride, gps_input_t *in)
 {
 #ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
-    (void)take_centred(x[0], 100000.0, &in->position_x);
-    (void)take_centred(x[stride], 100000.0, &in->position_y);
-    (void)take_centred(x[2 * stride], 100000.0, &in->position_z);
-    (void)take_centred(x[6 * stride], 1.00001, &in->attitude_w);
-    (void)take_centred(x[7 * stride], 1.00001, &in->attitude_x);
-    (void)take_centred(x[8 * stride], 1.00001, &in->attitude_y);
-    (void)take_centred(x[9 * stride], 1.00001, &in->attitude_z);
-    (void)take_centred(x[16 * stride], 10.0, &in->antenna_x);
-    (void)take_centred(x[17 * stride], 10.0, &in->antenna_y);
-    (void)take_centred(x[18 * stride], 10.0, &in->antenna_z);
+    (void)read_centred(x[0], 100000.0, &in->position_x);
+    (void)read_centred(x[stride], 100000.0, &in->position_y);
+    (void)read_centred(x[2 * stride], 100000.0, &in->position_z);
+    (void)read_centred(x[6 * stride], 1.00001, &in->attitude_w);
+    (void)read_centred(x[7 * stride], 1.00001, &in->attitude_x);
+    (void)read_centred(x[8 * stride], 1.00001, &in->attitude_y);
+    (void)read_centred(x[9 * stride], 1.00001, &in->attitude_z);
+    (void)read_centred(x[16 * stride], 10.0, &in->antenna_x);
+    (void)read_centred(x[17 * stride], 10.0, &in->antenna_y);
+    (void)read_centred(x[18 * stride], 10.0, &in->antenna_z);
 #else
     in->position_x = x[0];
     in->position_y = x[stride];

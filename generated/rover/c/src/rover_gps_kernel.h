@@ -11,7 +11,7 @@
 #include "rover/rover_types.h"
 #include "rover_check.h"
 
-/** Inputs of gps as its kernel reads them, each finite and inside its declared range. */
+/** Inputs of gps as its kernel reads them, each checked against its range. */
 typedef struct {
     rover_real_t position_x;  /* m, in n */
     rover_real_t position_y;  /* m, in n */
@@ -52,14 +52,14 @@ ROVER_INLINE rover_flag_t gps_load(const rover_real_t x[], gps_input_t *in)
     in->antenna_y = x[17];
     in->antenna_z = x[18];
 
-    const bool near =
+    const bool bounded =
         is_near_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.0e-05);
     bool inside = are_three_centred(in->position_x, in->position_y, in->position_z, 100000.0);
     inside = inside && are_three_centred(in->antenna_x, in->antenna_y, in->antenna_z, 10.0);
-    inside = inside && (near ||
+    inside = inside && (bounded ||
         are_four_centred(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.00001));
 
-    skewed |= near ? (rover_flag_t)0U : is_skewed_quaternion(in->attitude_w, in->attitude_x,
+    skewed |= bounded ? (rover_flag_t)0U : is_skewed_quaternion(in->attitude_w, in->attitude_x,
         in->attitude_y, in->attitude_z, 1.0e-05);
 
     return (!inside) ? (rover_flag_t)ROVER_RANGE :

@@ -11,7 +11,7 @@
 #include "rover/rover_types.h"
 #include "rover_check.h"
 
-/** Inputs of imu as its kernel reads them, each finite and inside its declared range. */
+/** Inputs of imu as its kernel reads them, each checked against its range. */
 typedef struct {
     rover_real_t attitude_w;  /* b -> n */
     rover_real_t attitude_x;  /* b -> n */
@@ -89,7 +89,7 @@ ROVER_INLINE rover_flag_t imu_load(
     /* dt [s] */
     in->dt = dt[0];
 
-    const bool near =
+    const bool bounded =
         is_near_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.0e-05);
     bool inside = are_three_centred(in->accelerometer_bias_x, in->accelerometer_bias_y,
         in->accelerometer_bias_z, 1.0);
@@ -100,10 +100,10 @@ ROVER_INLINE rover_flag_t imu_load(
         in->delta_velocity_2, in->delta_velocity_3, 50.0) && are_two_centred(in->delta_velocity_4,
         in->delta_velocity_5, 50.0);
     inside = inside && is_within(in->dt, 1.0e-05, 0.05);
-    inside = inside && (near ||
+    inside = inside && (bounded ||
         are_four_centred(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.00001));
 
-    skewed |= near ? (rover_flag_t)0U : is_skewed_quaternion(in->attitude_w, in->attitude_x,
+    skewed |= bounded ? (rover_flag_t)0U : is_skewed_quaternion(in->attitude_w, in->attitude_x,
         in->attitude_y, in->attitude_z, 1.0e-05);
 
     return (!inside) ? (rover_flag_t)ROVER_RANGE :

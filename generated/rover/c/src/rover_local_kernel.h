@@ -11,7 +11,7 @@
 #include "rover/rover_types.h"
 #include "rover_check.h"
 
-/** Inputs of local as its kernel reads them, each finite and inside its declared range. */
+/** Inputs of local as its kernel reads them, each checked against its range. */
 typedef struct {
     rover_real_t position_x;  /* m, in n */
     rover_real_t position_y;  /* m, in n */
@@ -150,7 +150,7 @@ ROVER_INLINE rover_flag_t
     /* drift [m/s] */
     in->y_drift = y[21];
 
-    const bool near = is_near_quaternion(in->attitude_w, in->attitude_x, in->attitude_y,
+    const bool bounded = is_near_quaternion(in->attitude_w, in->attitude_x, in->attitude_y,
         in->attitude_z, 1.0e-05) && is_near_quaternion(in->y_attitude_w, in->y_attitude_x,
         in->y_attitude_y, in->y_attitude_z, 1.0e-05);
     bool inside = are_three_centred(in->position_x, in->position_y, in->position_z, 100000.0);
@@ -175,13 +175,13 @@ ROVER_INLINE rover_flag_t
     inside = inside && is_centred(in->y_b_gps, 1000000.0);
     inside = inside && is_centred(in->y_b_galileo, 1000000.0);
     inside = inside && is_centred(in->y_drift, 1000000000.0);
-    inside = inside && (near || (are_four_centred(in->attitude_w, in->attitude_x, in->attitude_y,
+    inside = inside && (bounded || (are_four_centred(in->attitude_w, in->attitude_x, in->attitude_y,
         in->attitude_z, 1.00001) && are_four_centred(in->y_attitude_w, in->y_attitude_x,
         in->y_attitude_y, in->y_attitude_z, 1.00001)));
 
-    skewed |= near ? (rover_flag_t)0U : is_skewed_quaternion(in->attitude_w, in->attitude_x,
+    skewed |= bounded ? (rover_flag_t)0U : is_skewed_quaternion(in->attitude_w, in->attitude_x,
         in->attitude_y, in->attitude_z, 1.0e-05);
-    skewed |= near ? (rover_flag_t)0U : is_skewed_quaternion(in->y_attitude_w, in->y_attitude_x,
+    skewed |= bounded ? (rover_flag_t)0U : is_skewed_quaternion(in->y_attitude_w, in->y_attitude_x,
         in->y_attitude_y, in->y_attitude_z, 1.0e-05);
 
     return (!inside) ? (rover_flag_t)ROVER_RANGE :

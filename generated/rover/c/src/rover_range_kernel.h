@@ -11,7 +11,7 @@
 #include "rover/rover_types.h"
 #include "rover_check.h"
 
-/** Inputs of range as its kernel reads them, each finite and inside its declared range. */
+/** Inputs of range as its kernel reads them, each checked against its range. */
 typedef struct {
     rover_real_t position_x;  /* m, in n */
     rover_real_t position_y;  /* m, in n */
@@ -59,8 +59,7 @@ typedef struct {
     rover_real_t antenna_z_2;
 } range_shared_t;
 
-/** Inputs of one item of range as its kernel reads them, each finite and inside its declared
-    range. */
+/** Inputs of one item of range as its kernel reads them, each checked against its range. */
 typedef struct {
     int32_t system;
     rover_real_t satellite_position_x;  /* m, in ecef */
@@ -121,7 +120,7 @@ ROVER_INLINE rover_flag_t range_load(
     in->origin_y = origin[1];
     in->origin_z = origin[2];
 
-    const bool near = is_near_quaternion(in->attitude_w, in->attitude_x, in->attitude_y,
+    const bool bounded = is_near_quaternion(in->attitude_w, in->attitude_x, in->attitude_y,
         in->attitude_z, 1.0e-05) && is_near_quaternion(in->nav_to_ecef_w, in->nav_to_ecef_x,
         in->nav_to_ecef_y, in->nav_to_ecef_z, 1.0e-05);
     bool inside = are_three_centred(in->position_x, in->position_y, in->position_z, 100000.0);
@@ -129,13 +128,14 @@ ROVER_INLINE rover_flag_t range_load(
     inside = inside && is_centred(in->b_gps, 1000000.0);
     inside = inside && is_centred(in->b_galileo, 1000000.0);
     inside = inside && are_three_centred(in->origin_x, in->origin_y, in->origin_z, 100000000.0);
-    inside = inside && (near || (are_four_centred(in->attitude_w, in->attitude_x, in->attitude_y,
+    inside = inside && (bounded || (are_four_centred(in->attitude_w, in->attitude_x, in->attitude_y,
         in->attitude_z, 1.00001) && are_four_centred(in->nav_to_ecef_w, in->nav_to_ecef_x,
         in->nav_to_ecef_y, in->nav_to_ecef_z, 1.00001)));
 
-    skewed |= near ? (rover_flag_t)0U : is_skewed_quaternion(in->attitude_w, in->attitude_x,
+    skewed |= bounded ? (rover_flag_t)0U : is_skewed_quaternion(in->attitude_w, in->attitude_x,
         in->attitude_y, in->attitude_z, 1.0e-05);
-    skewed |= near ? (rover_flag_t)0U : is_skewed_quaternion(in->nav_to_ecef_w, in->nav_to_ecef_x,
+    skewed |= bounded ? (rover_flag_t)0U :
+        is_skewed_quaternion(in->nav_to_ecef_w, in->nav_to_ecef_x,
         in->nav_to_ecef_y, in->nav_to_ecef_z, 1.0e-05);
 
     return (!inside) ? (rover_flag_t)ROVER_RANGE :
@@ -249,21 +249,21 @@ ROVER_INLINE rover_flag_t range_load_item(
     outside |= take_index(system[0], 0, 1, &item->system);
 
     /* satellite_position [m, in ecef] */
-    outside |= take_centred(satellite_position[0], 100000000.0, &item->satellite_position_x);
-    outside |= take_centred(satellite_position[1], 100000000.0, &item->satellite_position_y);
-    outside |= take_centred(satellite_position[2], 100000000.0, &item->satellite_position_z);
+    outside |= read_centred(satellite_position[0], 100000000.0, &item->satellite_position_x);
+    outside |= read_centred(satellite_position[1], 100000000.0, &item->satellite_position_y);
+    outside |= read_centred(satellite_position[2], 100000000.0, &item->satellite_position_z);
 
     /* satellite_clock [s] */
-    outside |= take_centred(satellite_clock[0], 0.1, &item->satellite_clock);
+    outside |= read_centred(satellite_clock[0], 0.1, &item->satellite_clock);
 
     /* troposphere [m] */
-    outside |= take_value(troposphere[0], -100.0, 1000.0, &item->troposphere);
+    outside |= read_value(troposphere[0], -100.0, 1000.0, &item->troposphere);
 
     /* ionosphere [m] */
-    outside |= take_centred(ionosphere[0], 1000.0, &item->ionosphere);
+    outside |= read_centred(ionosphere[0], 1000.0, &item->ionosphere);
 
     /* measured [m] */
-    outside |= take_centred(measured[0], 1000000000.0, &item->measured);
+    outside |= read_centred(measured[0], 1000000000.0, &item->measured);
 
     return (rover_flag_t)ROVER_RANGE * outside;
 }
@@ -291,7 +291,7 @@ ROVER_INLINE rover_flag_t range_item(
     const rover_real_t range_squared_raw = (range_vector_x * range_vector_x) +
         (range_vector_y * range_vector_y) + (range_vector_z * range_vector_z);
     const bool range_squared_ok = is_within(range_squared_raw, 1.0e-12, 1.0e+30);
-    const rover_real_t range_squared = flagged(range_squared_raw, range_squared_ok, 1.0);
+    const rover_real_t range_squared = range_squared_ok ? range_squared_raw : 1.0;
     const rover_real_t range = sqrt(range_squared);
     const rover_real_t inverse_range = 1.0 / range;  /* shared reciprocal */
     const rover_real_t range_direction_x = range_vector_x * inverse_range;

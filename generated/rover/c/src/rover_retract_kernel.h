@@ -12,7 +12,7 @@
 #include "rover_check.h"
 #include "rover_trigonometry.h"
 
-/** Inputs of retract as its kernel reads them, each finite and inside its declared range. */
+/** Inputs of retract as its kernel reads them, each checked against its range. */
 typedef struct {
     rover_real_t position_x;  /* m, in n */
     rover_real_t position_y;  /* m, in n */
@@ -151,7 +151,7 @@ ROVER_INLINE rover_flag_t retract_load(
     /* drift [m/s] */
     in->d_drift = d[20];
 
-    const bool near =
+    const bool bounded =
         is_near_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.0e-05);
     bool inside = are_three_centred(in->position_x, in->position_y, in->position_z, 100000.0);
     inside = inside &&
@@ -177,10 +177,10 @@ ROVER_INLINE rover_flag_t retract_load(
     inside = inside && is_centred(in->d_b_gps, 1000000000.0);
     inside = inside && is_centred(in->d_b_galileo, 1000000000.0);
     inside = inside && is_centred(in->d_drift, 1000000000.0);
-    inside = inside && (near ||
+    inside = inside && (bounded ||
         are_four_centred(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.00001));
 
-    skewed |= near ? (rover_flag_t)0U : is_skewed_quaternion(in->attitude_w, in->attitude_x,
+    skewed |= bounded ? (rover_flag_t)0U : is_skewed_quaternion(in->attitude_w, in->attitude_x,
         in->attitude_y, in->attitude_z, 1.0e-05);
 
     return (!inside) ? (rover_flag_t)ROVER_RANGE :

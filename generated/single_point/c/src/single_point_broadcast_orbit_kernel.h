@@ -11,8 +11,7 @@
 #include "single_point/single_point_types.h"
 #include "single_point_check.h"
 
-/** Inputs of broadcast_orbit as its kernel reads them, each finite and inside its declared
-    range. */
+/** Inputs of broadcast_orbit as its kernel reads them, each checked against its range. */
 typedef struct {
     single_point_real_t time_2;  /* s */
     single_point_real_t toe;  /* s */

@@ -125,7 +125,7 @@ SINGLE_POINT_INLINE bool is_centred(
 }
 
 /* True when a value, one of several in a vector register, is a number inside [-bound, bound]. */
-SINGLE_POINT_INLINE bool is_small(
+SINGLE_POINT_INLINE bool is_lane_centred(
     single_point_real_t value,
     single_point_real_t bound)
 {
@@ -147,25 +147,51 @@ SINGLE_POINT_INLINE bool are_three_centred(
     return is_centred(a, bound) && is_centred(b, bound) && is_centred(c, bound);
 }
 
-/* A number that a guard of an item has looked at: what is computed from one that did not pass is
-   discarded. */
-SINGLE_POINT_INLINE single_point_real_t flagged(
+/* A number that its guard lets pass, or that has passed it before; else a harmless one. */
+SINGLE_POINT_INLINE single_point_real_t guarded(
     single_point_real_t value,
     bool ok,
+    bool passed,
     single_point_real_t substitute)
 {
-#ifdef __FRAMAC__ /* Eva does not know what is discarded. */
+#ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
+    (void)passed;
     return ok ? value : substitute;
 #else
-    (void)ok;
-    (void)substitute;
-    return value;
+    return (passed || ok) ? value : substitute;
 #endif
 }
 
-/* Copy a value. 1 when it is not a number inside a closed range, else 0: what is computed from it
-   is then discarded. */
+/* Copy a value into its range. Outside it, or for NaN, the lower end stands for it and 1 is
+   returned. */
 SINGLE_POINT_INLINE single_point_flag_t take_value(
+    single_point_real_t value,
+    single_point_real_t lower,
+    single_point_real_t upper,
+    single_point_real_t *copy)
+{
+    const bool within = is_within(value, lower, upper);
+
+    *copy = within ? value : lower;
+    return within ? (single_point_flag_t)0U : (single_point_flag_t)1U;
+}
+
+/* Copy a value into [-bound, bound]. Outside it, or for NaN, zero stands for it and 1 is
+   returned. */
+SINGLE_POINT_INLINE single_point_flag_t take_centred(
+    single_point_real_t value,
+    single_point_real_t bound,
+    single_point_real_t *copy)
+{
+    const bool within = is_lane_centred(value, bound);
+
+    *copy = within ? value : 0.0;
+    return within ? (single_point_flag_t)0U : (single_point_flag_t)1U;
+}
+
+/* Copy a value. 1 when it is not a number inside its range, else 0: what is computed from it is
+   then discarded. */
+SINGLE_POINT_INLINE single_point_flag_t read_value(
     single_point_real_t value,
     single_point_real_t lower,
     single_point_real_t upper,
@@ -181,14 +207,14 @@ SINGLE_POINT_INLINE single_point_flag_t take_value(
     return within ? (single_point_flag_t)0U : (single_point_flag_t)1U;
 }
 
-/* Copy a value. 1 when it is not a number inside [-bound, bound], else 0: what is computed from it
-   is then discarded. */
-SINGLE_POINT_INLINE single_point_flag_t take_centred(
+/* Copy a value. 1 when it is not a number inside [-bound, bound], else 0: what is computed from
+   it is then discarded. */
+SINGLE_POINT_INLINE single_point_flag_t read_centred(
     single_point_real_t value,
     single_point_real_t bound,
     single_point_real_t *copy)
 {
-    const bool within = is_small(value, bound);
+    const bool within = is_lane_centred(value, bound);
 
 #ifdef __FRAMAC__ /* Eva does not know what is discarded. */
     *copy = within ? value : 0.0;

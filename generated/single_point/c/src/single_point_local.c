@@ -31,20 +31,20 @@ SINGLE_POINT_INLINE single_point_flag_t local_load_lane(
     single_point_flag_t outside = 0U;
 
     /* position [m, in e] */
-    outside |= take_centred(x[0], 10000000.0, &in->position_x);
-    outside |= take_centred(x[stride], 10000000.0, &in->position_y);
-    outside |= take_centred(x[2 * stride], 10000000.0, &in->position_z);
+    outside |= read_centred(x[0], 10000000.0, &in->position_x);
+    outside |= read_centred(x[stride], 10000000.0, &in->position_y);
+    outside |= read_centred(x[2 * stride], 10000000.0, &in->position_z);
 
     /* clock_bias [m] */
-    outside |= take_centred(x[3 * stride], 100000000.0, &in->clock_bias);
+    outside |= read_centred(x[3 * stride], 100000000.0, &in->clock_bias);
 
     /* position [m, in e] */
-    outside |= take_centred(y[0], 10000000.0, &in->y_position_x);
-    outside |= take_centred(y[stride], 10000000.0, &in->y_position_y);
-    outside |= take_centred(y[2 * stride], 10000000.0, &in->y_position_z);
+    outside |= read_centred(y[0], 10000000.0, &in->y_position_x);
+    outside |= read_centred(y[stride], 10000000.0, &in->y_position_y);
+    outside |= read_centred(y[2 * stride], 10000000.0, &in->y_position_z);
 
     /* clock_bias [m] */
-    outside |= take_centred(y[3 * stride], 100000000.0, &in->y_clock_bias);
+    outside |= read_centred(y[3 * stride], 100000000.0, &in->y_clock_bias);
 
     return (single_point_flag_t)SINGLE_POINT_RANGE * outside;
 }
@@ -57,14 +57,14 @@ SINGLE_POINT_INLINE void local_copy(
     local_input_t *in)
 {
 #ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
-    (void)take_centred(x[0], 10000000.0, &in->position_x);
-    (void)take_centred(x[stride], 10000000.0, &in->position_y);
-    (void)take_centred(x[2 * stride], 10000000.0, &in->position_z);
-    (void)take_centred(x[3 * stride], 100000000.0, &in->clock_bias);
-    (void)take_centred(y[0], 10000000.0, &in->y_position_x);
-    (void)take_centred(y[stride], 10000000.0, &in->y_position_y);
-    (void)take_centred(y[2 * stride], 10000000.0, &in->y_position_z);
-    (void)take_centred(y[3 * stride], 100000000.0, &in->y_clock_bias);
+    (void)read_centred(x[0], 10000000.0, &in->position_x);
+    (void)read_centred(x[stride], 10000000.0, &in->position_y);
+    (void)read_centred(x[2 * stride], 10000000.0, &in->position_z);
+    (void)read_centred(x[3 * stride], 100000000.0, &in->clock_bias);
+    (void)read_centred(y[0], 10000000.0, &in->y_position_x);
+    (void)read_centred(y[stride], 10000000.0, &in->y_position_y);
+    (void)read_centred(y[2 * stride], 10000000.0, &in->y_position_z);
+    (void)read_centred(y[3 * stride], 100000000.0, &in->y_clock_bias);
 #else
     in->position_x = x[0];
     in->position_y = x[stride];

@@ -29,12 +29,12 @@ SINGLE_POINT_INLINE void pseudorange_copy_item(
     pseudorange_item_t *item)
 {
 #ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
-    (void)take_centred(satellite_position[0], 100000000.0, &item->satellite_position_x);
-    (void)take_centred(satellite_position[1], 100000000.0, &item->satellite_position_y);
-    (void)take_centred(satellite_position[2], 100000000.0, &item->satellite_position_z);
-    (void)take_centred(satellite_clock[0], 0.1, &item->satellite_clock);
-    (void)take_value(troposphere[0], -100.0, 1000.0, &item->troposphere);
-    (void)take_centred(ionosphere[0], 1000.0, &item->ionosphere);
+    (void)read_centred(satellite_position[0], 100000000.0, &item->satellite_position_x);
+    (void)read_centred(satellite_position[1], 100000000.0, &item->satellite_position_y);
+    (void)read_centred(satellite_position[2], 100000000.0, &item->satellite_position_z);
+    (void)read_centred(satellite_clock[0], 0.1, &item->satellite_clock);
+    (void)read_value(troposphere[0], -100.0, 1000.0, &item->troposphere);
+    (void)read_centred(ionosphere[0], 1000.0, &item->ionosphere);
 #else
     item->satellite_position_x = satellite_position[0];
     item->satellite_position_y = satellite_position[1];
@@ -106,7 +106,7 @@ SINGLE_POINT_INLINE single_point_status_t pseudorange_check_items(
         const single_point_flag_t loaded =
             pseudorange_load_item(&satellite_position[3 * i], &satellite_clock[i],
             &troposphere[i], &ionosphere[i], &item);
-        const single_point_flag_t evaluated = pseudorange_item(in, &item, &out);
+        const single_point_flag_t evaluated = pseudorange_item(in, &item, &out, false);
 
         codes[i] = first_failure(loaded, evaluated);
         failed |= codes[i];
@@ -138,7 +138,7 @@ static SINGLE_POINT_WIDE void pseudorange_lanes(
         pseudorange_output_t out;
         pseudorange_copy_item(&satellite_position[3 * lane], &satellite_clock[lane],
             &troposphere[lane], &ionosphere[lane], &item);
-        (void)pseudorange_item(in, &item, &out);
+        (void)pseudorange_item(in, &item, &out, true);
 
         pseudorange_put_value(&out, &block->value[lane]);
         pseudorange_put_jacobian(&out, SINGLE_POINT_PSEUDORANGE_LANES, &block->jacobian[lane]);
@@ -161,7 +161,7 @@ static SINGLE_POINT_WIDE void pseudorange_lanes_value(
         pseudorange_output_t out;
         pseudorange_copy_item(&satellite_position[3 * lane], &satellite_clock[lane],
             &troposphere[lane], &ionosphere[lane], &item);
-        (void)pseudorange_item(in, &item, &out);
+        (void)pseudorange_item(in, &item, &out, true);
 
         pseudorange_put_value(&out, &block->value[lane]);
     }
@@ -183,7 +183,7 @@ static SINGLE_POINT_WIDE void pseudorange_lanes_jacobian(
         pseudorange_output_t out;
         pseudorange_copy_item(&satellite_position[3 * lane], &satellite_clock[lane],
             &troposphere[lane], &ionosphere[lane], &item);
-        (void)pseudorange_item(in, &item, &out);
+        (void)pseudorange_item(in, &item, &out, true);
 
         pseudorange_put_jacobian(&out, SINGLE_POINT_PSEUDORANGE_LANES, &block->jacobian[lane]);
     }
@@ -421,7 +421,7 @@ SINGLE_POINT_INLINE void pseudorange_columns(
         pseudorange_output_t out;
         pseudorange_copy_item(&satellite_position[3 * i], &satellite_clock[i], &troposphere[i],
             &ionosphere[i], &item);
-        (void)pseudorange_item(in, &item, &out);
+        (void)pseudorange_item(in, &item, &out, true);
 
         pseudorange_fill_value(out.value, &value[i]);
         pseudorange_put_jacobian(&out, stride, &jacobian_nz[i]);

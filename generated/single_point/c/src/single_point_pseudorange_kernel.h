@@ -11,7 +11,7 @@
 #include "single_point/single_point_types.h"
 #include "single_point_check.h"
 
-/** Inputs of pseudorange as its kernel reads them, each finite and inside its declared range. */
+/** Inputs of pseudorange as its kernel reads them, each checked against its range. */
 typedef struct {
     single_point_real_t position_x;  /* m, in e */
     single_point_real_t position_y;  /* m, in e */
@@ -19,8 +19,7 @@ typedef struct {
     single_point_real_t clock_bias;  /* m */
 } pseudorange_input_t;
 
-/** Inputs of one item of pseudorange as its kernel reads them, each finite and inside its
-    declared range. */
+/** Inputs of one item of pseudorange as its kernel reads them, each checked against its range. */
 typedef struct {
     single_point_real_t satellite_position_x;  /* m, in e */
     single_point_real_t satellite_position_y;  /* m, in e */
@@ -74,18 +73,18 @@ SINGLE_POINT_INLINE single_point_flag_t pseudorange_load_item(
     single_point_flag_t outside = 0U;
 
     /* satellite_position [m, in e] */
-    outside |= take_centred(satellite_position[0], 100000000.0, &item->satellite_position_x);
-    outside |= take_centred(satellite_position[1], 100000000.0, &item->satellite_position_y);
-    outside |= take_centred(satellite_position[2], 100000000.0, &item->satellite_position_z);
+    outside |= read_centred(satellite_position[0], 100000000.0, &item->satellite_position_x);
+    outside |= read_centred(satellite_position[1], 100000000.0, &item->satellite_position_y);
+    outside |= read_centred(satellite_position[2], 100000000.0, &item->satellite_position_z);
 
     /* satellite_clock [s] */
-    outside |= take_centred(satellite_clock[0], 0.1, &item->satellite_clock);
+    outside |= read_centred(satellite_clock[0], 0.1, &item->satellite_clock);
 
     /* troposphere [m] */
-    outside |= take_value(troposphere[0], -100.0, 1000.0, &item->troposphere);
+    outside |= read_value(troposphere[0], -100.0, 1000.0, &item->troposphere);
 
     /* ionosphere [m] */
-    outside |= take_centred(ionosphere[0], 1000.0, &item->ionosphere);
+    outside |= read_centred(ionosphere[0], 1000.0, &item->ionosphere);
 
     return (single_point_flag_t)SINGLE_POINT_RANGE * outside;
 }
@@ -94,7 +93,8 @@ SINGLE_POINT_INLINE single_point_flag_t pseudorange_load_item(
 SINGLE_POINT_INLINE single_point_flag_t pseudorange_item(
     const pseudorange_input_t *in,
     const pseudorange_item_t *item,
-    pseudorange_output_t *out)
+    pseudorange_output_t *out,
+    bool passed)
 {
     const single_point_real_t range_vector_x = in->position_x - item->satellite_position_x;
     const single_point_real_t range_vector_y = in->position_y - item->satellite_position_y;
@@ -111,7 +111,8 @@ SINGLE_POINT_INLINE single_point_flag_t pseudorange_item(
     const single_point_real_t range_squared_raw = (range_vector_x * range_vector_x) +
         (range_vector_y * range_vector_y) + (range_vector_z * range_vector_z);
     const bool range_squared_ok = is_within(range_squared_raw, 1.0e-12, 1.0e+30);
-    const single_point_real_t range_squared = flagged(range_squared_raw, range_squared_ok, 1.0);
+    const single_point_real_t range_squared =
+        guarded(range_squared_raw, range_squared_ok, passed, 1.0);
     const single_point_real_t range = sqrt(range_squared);
     const single_point_real_t inverse_range = 1.0 / range;  /* shared reciprocal */
     const single_point_real_t range_direction_x = range_vector_x * inverse_range;

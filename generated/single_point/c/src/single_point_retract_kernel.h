@@ -11,7 +11,7 @@
 #include "single_point/single_point_types.h"
 #include "single_point_check.h"
 
-/** Inputs of retract as its kernel reads them, each finite and inside its declared range. */
+/** Inputs of retract as its kernel reads them, each checked against its range. */
 typedef struct {
     single_point_real_t position_x;  /* m, in e */
     single_point_real_t position_y;  /* m, in e */

@@ -112,7 +112,7 @@ WARPOS_GPS_INLINE bool is_centred(
 }
 
 /* True when a value, one of several in a vector register, is a number inside [-bound, bound]. */
-WARPOS_GPS_INLINE bool is_small(
+WARPOS_GPS_INLINE bool is_lane_centred(
     warpos_gps_real_t value,
     warpos_gps_real_t bound)
 {
@@ -146,14 +146,14 @@ WARPOS_GPS_INLINE bool are_four_centred(
            is_centred(c, bound) && is_centred(d, bound);
 }
 
-/* Copy a value. 1 when it is not a number inside [-bound, bound], else 0: what is computed from it
-   is then discarded. */
-WARPOS_GPS_INLINE warpos_gps_flag_t take_centred(
+/* Copy a value. 1 when it is not a number inside [-bound, bound], else 0: what is computed from
+   it is then discarded. */
+WARPOS_GPS_INLINE warpos_gps_flag_t read_centred(
     warpos_gps_real_t value,
     warpos_gps_real_t bound,
     warpos_gps_real_t *copy)
 {
-    const bool within = is_small(value, bound);
+    const bool within = is_lane_centred(value, bound);
 
 #ifdef __FRAMAC__ /* Eva does not know what is discarded. */
     *copy = within ? value : 0.0;

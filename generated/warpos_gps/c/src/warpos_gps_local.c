@@ -42,46 +42,46 @@ WARPOS_GPS_INLINE warpos_gps_flag_t local_load_lane(
     warpos_gps_flag_t outside = 0U;
 
     /* leading */
-    outside |= take_centred(x[0], 1000000000.0, &in->leading_0);
-    outside |= take_centred(x[stride], 1000000000.0, &in->leading_1);
-    outside |= take_centred(x[2 * stride], 1000000000.0, &in->leading_2);
-    outside |= take_centred(x[3 * stride], 1000000000.0, &in->leading_3);
+    outside |= read_centred(x[0], 1000000000.0, &in->leading_0);
+    outside |= read_centred(x[stride], 1000000000.0, &in->leading_1);
+    outside |= read_centred(x[2 * stride], 1000000000.0, &in->leading_2);
+    outside |= read_centred(x[3 * stride], 1000000000.0, &in->leading_3);
 
     /* position [m, in f] */
-    outside |= take_centred(x[4 * stride], 1000000000.0, &in->position_x);
-    outside |= take_centred(x[5 * stride], 1000000000.0, &in->position_y);
-    outside |= take_centred(x[6 * stride], 1000000000.0, &in->position_z);
+    outside |= read_centred(x[4 * stride], 1000000000.0, &in->position_x);
+    outside |= read_centred(x[5 * stride], 1000000000.0, &in->position_y);
+    outside |= read_centred(x[6 * stride], 1000000000.0, &in->position_z);
 
     /* trailing */
-    outside |= take_centred(x[7 * stride], 1000000000.0, &in->trailing_0);
-    outside |= take_centred(x[8 * stride], 1000000000.0, &in->trailing_1);
-    outside |= take_centred(x[9 * stride], 1000000000.0, &in->trailing_2);
-    outside |= take_centred(x[10 * stride], 1000000000.0, &in->trailing_3);
-    outside |= take_centred(x[11 * stride], 1000000000.0, &in->trailing_4);
-    outside |= take_centred(x[12 * stride], 1000000000.0, &in->trailing_5);
-    outside |= take_centred(x[13 * stride], 1000000000.0, &in->trailing_6);
-    outside |= take_centred(x[14 * stride], 1000000000.0, &in->trailing_7);
+    outside |= read_centred(x[7 * stride], 1000000000.0, &in->trailing_0);
+    outside |= read_centred(x[8 * stride], 1000000000.0, &in->trailing_1);
+    outside |= read_centred(x[9 * stride], 1000000000.0, &in->trailing_2);
+    outside |= read_centred(x[10 * stride], 1000000000.0, &in->trailing_3);
+    outside |= read_centred(x[11 * stride], 1000000000.0, &in->trailing_4);
+    outside |= read_centred(x[12 * stride], 1000000000.0, &in->trailing_5);
+    outside |= read_centred(x[13 * stride], 1000000000.0, &in->trailing_6);
+    outside |= read_centred(x[14 * stride], 1000000000.0, &in->trailing_7);
 
     /* leading */
-    outside |= take_centred(y[0], 1000000000.0, &in->y_leading_0);
-    outside |= take_centred(y[stride], 1000000000.0, &in->y_leading_1);
-    outside |= take_centred(y[2 * stride], 1000000000.0, &in->y_leading_2);
-    outside |= take_centred(y[3 * stride], 1000000000.0, &in->y_leading_3);
+    outside |= read_centred(y[0], 1000000000.0, &in->y_leading_0);
+    outside |= read_centred(y[stride], 1000000000.0, &in->y_leading_1);
+    outside |= read_centred(y[2 * stride], 1000000000.0, &in->y_leading_2);
+    outside |= read_centred(y[3 * stride], 1000000000.0, &in->y_leading_3);
 
     /* position [m, in f] */
-    outside |= take_centred(y[4 * stride], 1000000000.0, &in->y_position_x);
-    outside |= take_centred(y[5 * stride], 1000000000.0, &in->y_position_y);
-    outside |= take_centred(y[6 * stride], 1000000000.0, &in->y_position_z);
+    outside |= read_centred(y[4 * stride], 1000000000.0, &in->y_position_x);
+    outside |= read_centred(y[5 * stride], 1000000000.0, &in->y_position_y);
+    outside |= read_centred(y[6 * stride], 1000000000.0, &in->y_position_z);
 
     /* trailing */
-    outside |= take_centred(y[7 * stride], 1000000000.0, &in->y_trailing_0);
-    outside |= take_centred(y[8 * stride], 1000000000.0, &in->y_trailing_1);
-    outside |= take_centred(y[9 * stride], 1000000000.0, &in->y_trailing_2);
-    outside |= take_centred(y[10 * stride], 1000000000.0, &in->y_trailing_3);
-    outside |= take_centred(y[11 * stride], 1000000000.0, &in->y_trailing_4);
-    outside |= take_centred(y[12 * stride], 1000000000.0, &in->y_trailing_5);
-    outside |= take_centred(y[13 * stride], 1000000000.0, &in->y_trailing_6);
-    outside |= take_centred(y[14 * stride], 1000000000.0, &in->y_trailing_7);
+    outside |= read_centred(y[7 * stride], 1000000000.0, &in->y_trailing_0);
+    outside |= read_centred(y[8 * stride], 1000000000.0, &in->y_trailing_1);
+    outside |= read_centred(y[9 * stride], 1000000000.0, &in->y_trailing_2);
+    outside |= read_centred(y[10 * stride], 1000000000.0, &in->y_trailing_3);
+    outside |= read_centred(y[11 * stride], 1000000000.0, &in->y_trailing_4);
+    outside |= read_centred(y[12 * stride], 1000000000.0, &in->y_trailing_5);
+    outside |= read_centred(y[13 * stride], 1000000000.0, &in->y_trailing_6);
+    outside |= read_centred(y[14 * stride], 1000000000.0, &in->y_trailing_7);
 
     return (warpos_gps_flag_t)WARPOS_GPS_RANGE * outside;
 }
@@ -94,36 +94,36 @@ WARPOS_GPS_INLINE void local_copy(
     local_input_t *in)
 {
 #ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
-    (void)take_centred(x[0], 1000000000.0, &in->leading_0);
-    (void)take_centred(x[stride], 1000000000.0, &in->leading_1);
-    (void)take_centred(x[2 * stride], 1000000000.0, &in->leading_2);
-    (void)take_centred(x[3 * stride], 1000000000.0, &in->leading_3);
-    (void)take_centred(x[4 * stride], 1000000000.0, &in->position_x);
-    (void)take_centred(x[5 * stride], 1000000000.0, &in->position_y);
-    (void)take_centred(x[6 * stride], 1000000000.0, &in->position_z);
-    (void)take_centred(x[7 * stride], 1000000000.0, &in->trailing_0);
-    (void)take_centred(x[8 * stride], 1000000000.0, &in->trailing_1);
-    (void)take_centred(x[9 * stride], 1000000000.0, &in->trailing_2);
-    (void)take_centred(x[10 * stride], 1000000000.0, &in->trailing_3);
-    (void)take_centred(x[11 * stride], 1000000000.0, &in->trailing_4);
-    (void)take_centred(x[12 * stride], 1000000000.0, &in->trailing_5);
-    (void)take_centred(x[13 * stride], 1000000000.0, &in->trailing_6);
-    (void)take_centred(x[14 * stride], 1000000000.0, &in->trailing_7);
-    (void)take_centred(y[0], 1000000000.0, &in->y_leading_0);
-    (void)take_centred(y[stride], 1000000000.0, &in->y_leading_1);
-    (void)take_centred(y[2 * stride], 1000000000.0, &in->y_leading_2);
-    (void)take_centred(y[3 * stride], 1000000000.0, &in->y_leading_3);
-    (void)take_centred(y[4 * stride], 1000000000.0, &in->y_position_x);
-    (void)take_centred(y[5 * stride], 1000000000.0, &in->y_position_y);
-    (void)take_centred(y[6 * stride], 1000000000.0, &in->y_position_z);
-    (void)take_centred(y[7 * stride], 1000000000.0, &in->y_trailing_0);
-    (void)take_centred(y[8 * stride], 1000000000.0, &in->y_trailing_1);
-    (void)take_centred(y[9 * stride], 1000000000.0, &in->y_trailing_2);
-    (void)take_centred(y[10 * stride], 1000000000.0, &in->y_trailing_3);
-    (void)take_centred(y[11 * stride], 1000000000.0, &in->y_trailing_4);
-    (void)take_centred(y[12 * stride], 1000000000.0, &in->y_trailing_5);
-    (void)take_centred(y[13 * stride], 1000000000.0, &in->y_trailing_6);
-    (void)take_centred(y[14 * stride], 1000000000.0, &in->y_trailing_7);
+    (void)read_centred(x[0], 1000000000.0, &in->leading_0);
+    (void)read_centred(x[stride], 1000000000.0, &in->leading_1);
+    (void)read_centred(x[2 * stride], 1000000000.0, &in->leading_2);
+    (void)read_centred(x[3 * stride], 1000000000.0, &in->leading_3);
+    (void)read_centred(x[4 * stride], 1000000000.0, &in->position_x);
+    (void)read_centred(x[5 * stride], 1000000000.0, &in->position_y);
+    (void)read_centred(x[6 * stride], 1000000000.0, &in->position_z);
+    (void)read_centred(x[7 * stride], 1000000000.0, &in->trailing_0);
+    (void)read_centred(x[8 * stride], 1000000000.0, &in->trailing_1);
+    (void)read_centred(x[9 * stride], 1000000000.0, &in->trailing_2);
+    (void)read_centred(x[10 * stride], 1000000000.0, &in->trailing_3);
+    (void)read_centred(x[11 * stride], 1000000000.0, &in->trailing_4);
+    (void)read_centred(x[12 * stride], 1000000000.0, &in->trailing_5);
+    (void)read_centred(x[13 * stride], 1000000000.0, &in->trailing_6);
+    (void)read_centred(x[14 * stride], 1000000000.0, &in->trailing_7);
+    (void)read_centred(y[0], 1000000000.0, &in->y_leading_0);
+    (void)read_centred(y[stride], 1000000000.0, &in->y_leading_1);
+    (void)read_centred(y[2 * stride], 1000000000.0, &in->y_leading_2);
+    (void)read_centred(y[3 * stride], 1000000000.0, &in->y_leading_3);
+    (void)read_centred(y[4 * stride], 1000000000.0, &in->y_position_x);
+    (void)read_centred(y[5 * stride], 1000000000.0, &in->y_position_y);
+    (void)read_centred(y[6 * stride], 1000000000.0, &in->y_position_z);
+    (void)read_centred(y[7 * stride], 1000000000.0, &in->y_trailing_0);
+    (void)read_centred(y[8 * stride], 1000000000.0, &in->y_trailing_1);
+    (void)read_centred(y[9 * stride], 1000000000.0, &in->y_trailing_2);
+    (void)read_centred(y[10 * stride], 1000000000.0, &in->y_trailing_3);
+    (void)read_centred(y[11 * stride], 1000000000.0, &in->y_trailing_4);
+    (void)read_centred(y[12 * stride], 1000000000.0, &in->y_trailing_5);
+    (void)read_centred(y[13 * stride], 1000000000.0, &in->y_trailing_6);
+    (void)read_centred(y[14 * stride], 1000000000.0, &in->y_trailing_7);
 #else
     in->leading_0 = x[0];
     in->leading_1 = x[stride];

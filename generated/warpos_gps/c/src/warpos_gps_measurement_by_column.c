@@ -40,9 +40,9 @@ WARPOS_GPS_INLINE warpos_gps_flag_t measurement_by_column_load_lane(
     warpos_gps_flag_t outside = 0U;
 
     /* position [m, in f] */
-    outside |= take_centred(x[4 * stride], 1000000000.0, &in->position_x);
-    outside |= take_centred(x[5 * stride], 1000000000.0, &in->position_y);
-    outside |= take_centred(x[6 * stride], 1000000000.0, &in->position_z);
+    outside |= read_centred(x[4 * stride], 1000000000.0, &in->position_x);
+    outside |= read_centred(x[5 * stride], 1000000000.0, &in->position_y);
+    outside |= read_centred(x[6 * stride], 1000000000.0, &in->position_z);
 
     return (warpos_gps_flag_t)WARPOS_GPS_RANGE * outside;
 }
@@ -54,9 +54,9 @@ WARPOS_GPS_INLINE void measurement_by_column_copy(
     measurement_by_column_input_t *in)
 {
 #ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
-    (void)take_centred(x[4 * stride], 1000000000.0, &in->position_x);
-    (void)take_centred(x[5 * stride], 1000000000.0, &in->position_y);
-    (void)take_centred(x[6 * stride], 1000000000.0, &in->position_z);
+    (void)read_centred(x[4 * stride], 1000000000.0, &in->position_x);
+    (void)read_centred(x[5 * stride], 1000000000.0, &in->position_y);
+    (void)read_centred(x[6 * stride], 1000000000.0, &in->position_z);
 #else
     in->position_x = x[4 * stride];
     in->position_y = x[5 * stride];

@@ -11,7 +11,7 @@
 #include "warpos_gps/warpos_gps_types.h"
 #include "warpos_gps_check.h"
 
-/** Inputs of measurement as its kernel reads them, each finite and inside its declared range. */
+/** Inputs of measurement as its kernel reads them, each checked against its range. */
 typedef struct {
     warpos_gps_real_t position_x;  /* m, in f */
     warpos_gps_real_t position_y;  /* m, in f */

@@ -48,15 +48,15 @@ WARPOS_GPS_INLINE warpos_gps_flag_t observed_load_lane(
     warpos_gps_flag_t skewed = 0U;
 
     /* position [m, in f] */
-    outside |= take_centred(x[4 * stride], 1000000000.0, &in->position_x);
-    outside |= take_centred(x[5 * stride], 1000000000.0, &in->position_y);
-    outside |= take_centred(x[6 * stride], 1000000000.0, &in->position_z);
+    outside |= read_centred(x[4 * stride], 1000000000.0, &in->position_x);
+    outside |= read_centred(x[5 * stride], 1000000000.0, &in->position_y);
+    outside |= read_centred(x[6 * stride], 1000000000.0, &in->position_z);
 
     /* observer_attitude [ref -> f] */
-    outside |= take_centred(observer_attitude[0], 1.00001, &in->observer_attitude_w);
-    outside |= take_centred(observer_attitude[stride], 1.00001, &in->observer_attitude_x);
-    outside |= take_centred(observer_attitude[2 * stride], 1.00001, &in->observer_attitude_y);
-    outside |= take_centred(observer_attitude[3 * stride], 1.00001, &in->observer_attitude_z);
+    outside |= read_centred(observer_attitude[0], 1.00001, &in->observer_attitude_w);
+    outside |= read_centred(observer_attitude[stride], 1.00001, &in->observer_attitude_x);
+    outside |= read_centred(observer_attitude[2 * stride], 1.00001, &in->observer_attitude_y);
+    outside |= read_centred(observer_attitude[3 * stride], 1.00001, &in->observer_attitude_z);
     skewed |= is_skewed_quaternion(in->observer_attitude_w, in->observer_attitude_x,
         in->observer_attitude_y, in->observer_attitude_z, 1.0e-05);
 
@@ -72,13 +72,13 @@ WARPOS_GPS_INLINE void observed_copy(
     observed_input_t *in)
 {
 #ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
-    (void)take_centred(x[4 * stride], 1000000000.0, &in->position_x);
-    (void)take_centred(x[5 * stride], 1000000000.0, &in->position_y);
-    (void)take_centred(x[6 * stride], 1000000000.0, &in->position_z);
-    (void)take_centred(observer_attitude[0], 1.00001, &in->observer_attitude_w);
-    (void)take_centred(observer_attitude[stride], 1.00001, &in->observer_attitude_x);
-    (void)take_centred(observer_attitude[2 * stride], 1.00001, &in->observer_attitude_y);
-    (void)take_centred(observer_attitude[3 * stride], 1.00001, &in->observer_attitude_z);
+    (void)read_centred(x[4 * stride], 1000000000.0, &in->position_x);
+    (void)read_centred(x[5 * stride], 1000000000.0, &in->position_y);
+    (void)read_centred(x[6 * stride], 1000000000.0, &in->position_z);
+    (void)read_centred(observer_attitude[0], 1.00001, &in->observer_attitude_w);
+    (void)read_centred(observer_attitude[stride], 1.00001, &in->observer_attitude_x);
+    (void)read_centred(observer_attitude[2 * stride], 1.00001, &in->observer_attitude_y);
+    (void)read_centred(observer_attitude[3 * stride], 1.00001, &in->observer_attitude_z);
 #else
     in->position_x = x[4 * stride];
     in->position_y = x[5 * stride];

@@ -11,8 +11,7 @@
 #include "warpos_gps/warpos_gps_types.h"
 #include "warpos_gps_check.h"
 
-/** Inputs of observed_by_column as its kernel reads them, each finite and inside its declared
-    range. */
+/** Inputs of observed_by_column as its kernel reads them, each checked against its range. */
 typedef struct {
     warpos_gps_real_t position_x;  /* m, in f */
     warpos_gps_real_t position_y;  /* m, in f */
@@ -48,13 +47,13 @@ WARPOS_GPS_INLINE warpos_gps_flag_t observed_by_column_load(
     in->observer_attitude_y = observer_attitude[2];
     in->observer_attitude_z = observer_attitude[3];
 
-    const bool near = is_near_quaternion(in->observer_attitude_w, in->observer_attitude_x,
+    const bool bounded = is_near_quaternion(in->observer_attitude_w, in->observer_attitude_x,
         in->observer_attitude_y, in->observer_attitude_z, 1.0e-05);
     bool inside = are_three_centred(in->position_x, in->position_y, in->position_z, 1000000000.0);
-    inside = inside && (near || are_four_centred(in->observer_attitude_w, in->observer_attitude_x,
-        in->observer_attitude_y, in->observer_attitude_z, 1.00001));
+    inside = inside && (bounded || are_four_centred(in->observer_attitude_w,
+        in->observer_attitude_x, in->observer_attitude_y, in->observer_attitude_z, 1.00001));
 
-    skewed |= near ? (warpos_gps_flag_t)0U : is_skewed_quaternion(in->observer_attitude_w,
+    skewed |= bounded ? (warpos_gps_flag_t)0U : is_skewed_quaternion(in->observer_attitude_w,
         in->observer_attitude_x, in->observer_attitude_y, in->observer_attitude_z, 1.0e-05);
 
     return (!inside) ? (warpos_gps_flag_t)WARPOS_GPS_RANGE :

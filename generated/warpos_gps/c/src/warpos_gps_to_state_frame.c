@@ -52,46 +52,46 @@ WARPOS_GPS_INLINE warpos_gps_flag_t to_state_frame_load_lane(
     warpos_gps_flag_t skewed = 0U;
 
     /* observer_attitude [ref -> f] */
-    outside |= take_centred(observer_attitude[0], 1.00001, &in->observer_attitude_w);
-    outside |= take_centred(observer_attitude[stride], 1.00001, &in->observer_attitude_x);
-    outside |= take_centred(observer_attitude[2 * stride], 1.00001, &in->observer_attitude_y);
-    outside |= take_centred(observer_attitude[3 * stride], 1.00001, &in->observer_attitude_z);
+    outside |= read_centred(observer_attitude[0], 1.00001, &in->observer_attitude_w);
+    outside |= read_centred(observer_attitude[stride], 1.00001, &in->observer_attitude_x);
+    outside |= read_centred(observer_attitude[2 * stride], 1.00001, &in->observer_attitude_y);
+    outside |= read_centred(observer_attitude[3 * stride], 1.00001, &in->observer_attitude_z);
     skewed |= is_skewed_quaternion(in->observer_attitude_w, in->observer_attitude_x,
         in->observer_attitude_y, in->observer_attitude_z, 1.0e-05);
 
     /* receiver_position [m, in ref] */
-    outside |= take_centred(receiver_position[0], 1000000000.0, &in->receiver_position_x);
-    outside |= take_centred(receiver_position[stride], 1000000000.0, &in->receiver_position_y);
-    outside |= take_centred(receiver_position[2 * stride], 1000000000.0, &in->receiver_position_z);
+    outside |= read_centred(receiver_position[0], 1000000000.0, &in->receiver_position_x);
+    outside |= read_centred(receiver_position[stride], 1000000000.0, &in->receiver_position_y);
+    outside |= read_centred(receiver_position[2 * stride], 1000000000.0, &in->receiver_position_z);
 
     /* origin_offset [m, in f] */
-    outside |= take_centred(origin_offset[0], 1000000000.0, &in->origin_offset_x);
-    outside |= take_centred(origin_offset[stride], 1000000000.0, &in->origin_offset_y);
-    outside |= take_centred(origin_offset[2 * stride], 1000000000.0, &in->origin_offset_z);
+    outside |= read_centred(origin_offset[0], 1000000000.0, &in->origin_offset_x);
+    outside |= read_centred(origin_offset[stride], 1000000000.0, &in->origin_offset_y);
+    outside |= read_centred(origin_offset[2 * stride], 1000000000.0, &in->origin_offset_z);
 
     /* attitude [body -> f] */
-    outside |= take_centred(attitude[0], 1.00001, &in->attitude_w);
-    outside |= take_centred(attitude[stride], 1.00001, &in->attitude_x);
-    outside |= take_centred(attitude[2 * stride], 1.00001, &in->attitude_y);
-    outside |= take_centred(attitude[3 * stride], 1.00001, &in->attitude_z);
+    outside |= read_centred(attitude[0], 1.00001, &in->attitude_w);
+    outside |= read_centred(attitude[stride], 1.00001, &in->attitude_x);
+    outside |= read_centred(attitude[2 * stride], 1.00001, &in->attitude_y);
+    outside |= read_centred(attitude[3 * stride], 1.00001, &in->attitude_z);
     skewed |= is_skewed_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z,
         1.0e-05);
 
     /* lever_arm [m, in body] */
-    outside |= take_centred(lever_arm[0], 100.0, &in->lever_arm_x);
-    outside |= take_centred(lever_arm[stride], 100.0, &in->lever_arm_y);
-    outside |= take_centred(lever_arm[2 * stride], 100.0, &in->lever_arm_z);
+    outside |= read_centred(lever_arm[0], 100.0, &in->lever_arm_x);
+    outside |= read_centred(lever_arm[stride], 100.0, &in->lever_arm_y);
+    outside |= read_centred(lever_arm[2 * stride], 100.0, &in->lever_arm_z);
 
     /* covariance [m^2] */
-    outside |= take_centred(covariance_2[0], 1000000000000.0, &in->covariance_2_0);
-    outside |= take_centred(covariance_2[stride], 1000000000000.0, &in->covariance_2_1);
-    outside |= take_centred(covariance_2[2 * stride], 1000000000000.0, &in->covariance_2_2);
-    outside |= take_centred(covariance_2[3 * stride], 1000000000000.0, &in->covariance_2_3);
-    outside |= take_centred(covariance_2[4 * stride], 1000000000000.0, &in->covariance_2_4);
-    outside |= take_centred(covariance_2[5 * stride], 1000000000000.0, &in->covariance_2_5);
-    outside |= take_centred(covariance_2[6 * stride], 1000000000000.0, &in->covariance_2_6);
-    outside |= take_centred(covariance_2[7 * stride], 1000000000000.0, &in->covariance_2_7);
-    outside |= take_centred(covariance_2[8 * stride], 1000000000000.0, &in->covariance_2_8);
+    outside |= read_centred(covariance_2[0], 1000000000000.0, &in->covariance_2_0);
+    outside |= read_centred(covariance_2[stride], 1000000000000.0, &in->covariance_2_1);
+    outside |= read_centred(covariance_2[2 * stride], 1000000000000.0, &in->covariance_2_2);
+    outside |= read_centred(covariance_2[3 * stride], 1000000000000.0, &in->covariance_2_3);
+    outside |= read_centred(covariance_2[4 * stride], 1000000000000.0, &in->covariance_2_4);
+    outside |= read_centred(covariance_2[5 * stride], 1000000000000.0, &in->covariance_2_5);
+    outside |= read_centred(covariance_2[6 * stride], 1000000000000.0, &in->covariance_2_6);
+    outside |= read_centred(covariance_2[7 * stride], 1000000000000.0, &in->covariance_2_7);
+    outside |= read_centred(covariance_2[8 * stride], 1000000000000.0, &in->covariance_2_8);
 
     return ((warpos_gps_flag_t)WARPOS_GPS_RANGE * outside) +
         ((warpos_gps_flag_t)WARPOS_GPS_QNORM * (skewed & ~outside));
@@ -109,32 +109,32 @@ WARPOS_GPS_INLINE void to_state_frame_copy(
     to_state_frame_input_t *in)
 {
 #ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
-    (void)take_centred(observer_attitude[0], 1.00001, &in->observer_attitude_w);
-    (void)take_centred(observer_attitude[stride], 1.00001, &in->observer_attitude_x);
-    (void)take_centred(observer_attitude[2 * stride], 1.00001, &in->observer_attitude_y);
-    (void)take_centred(observer_attitude[3 * stride], 1.00001, &in->observer_attitude_z);
-    (void)take_centred(receiver_position[0], 1000000000.0, &in->receiver_position_x);
-    (void)take_centred(receiver_position[stride], 1000000000.0, &in->receiver_position_y);
-    (void)take_centred(receiver_position[2 * stride], 1000000000.0, &in->receiver_position_z);
-    (void)take_centred(origin_offset[0], 1000000000.0, &in->origin_offset_x);
-    (void)take_centred(origin_offset[stride], 1000000000.0, &in->origin_offset_y);
-    (void)take_centred(origin_offset[2 * stride], 1000000000.0, &in->origin_offset_z);
-    (void)take_centred(attitude[0], 1.00001, &in->attitude_w);
-    (void)take_centred(attitude[stride], 1.00001, &in->attitude_x);
-    (void)take_centred(attitude[2 * stride], 1.00001, &in->attitude_y);
-    (void)take_centred(attitude[3 * stride], 1.00001, &in->attitude_z);
-    (void)take_centred(lever_arm[0], 100.0, &in->lever_arm_x);
-    (void)take_centred(lever_arm[stride], 100.0, &in->lever_arm_y);
-    (void)take_centred(lever_arm[2 * stride], 100.0, &in->lever_arm_z);
-    (void)take_centred(covariance_2[0], 1000000000000.0, &in->covariance_2_0);
-    (void)take_centred(covariance_2[stride], 1000000000000.0, &in->covariance_2_1);
-    (void)take_centred(covariance_2[2 * stride], 1000000000000.0, &in->covariance_2_2);
-    (void)take_centred(covariance_2[3 * stride], 1000000000000.0, &in->covariance_2_3);
-    (void)take_centred(covariance_2[4 * stride], 1000000000000.0, &in->covariance_2_4);
-    (void)take_centred(covariance_2[5 * stride], 1000000000000.0, &in->covariance_2_5);
-    (void)take_centred(covariance_2[6 * stride], 1000000000000.0, &in->covariance_2_6);
-    (void)take_centred(covariance_2[7 * stride], 1000000000000.0, &in->covariance_2_7);
-    (void)take_centred(covariance_2[8 * stride], 1000000000000.0, &in->covariance_2_8);
+    (void)read_centred(observer_attitude[0], 1.00001, &in->observer_attitude_w);
+    (void)read_centred(observer_attitude[stride], 1.00001, &in->observer_attitude_x);
+    (void)read_centred(observer_attitude[2 * stride], 1.00001, &in->observer_attitude_y);
+    (void)read_centred(observer_attitude[3 * stride], 1.00001, &in->observer_attitude_z);
+    (void)read_centred(receiver_position[0], 1000000000.0, &in->receiver_position_x);
+    (void)read_centred(receiver_position[stride], 1000000000.0, &in->receiver_position_y);
+    (void)read_centred(receiver_position[2 * stride], 1000000000.0, &in->receiver_position_z);
+    (void)read_centred(origin_offset[0], 1000000000.0, &in->origin_offset_x);
+    (void)read_centred(origin_offset[stride], 1000000000.0, &in->origin_offset_y);
+    (void)read_centred(origin_offset[2 * stride], 1000000000.0, &in->origin_offset_z);
+    (void)read_centred(attitude[0], 1.00001, &in->attitude_w);
+    (void)read_centred(attitude[stride], 1.00001, &in->attitude_x);
+    (void)read_centred(attitude[2 * stride], 1.00001, &in->attitude_y);
+    (void)read_centred(attitude[3 * stride], 1.00001, &in->attitude_z);
+    (void)read_centred(lever_arm[0], 100.0, &in->lever_arm_x);
+    (void)read_centred(lever_arm[stride], 100.0, &in->lever_arm_y);
+    (void)read_centred(lever_arm[2 * stride], 100.0, &in->lever_arm_z);
+    (void)read_centred(covariance_2[0], 1000000000000.0, &in->covariance_2_0);
+    (void)read_centred(covariance_2[stride], 1000000000000.0, &in->covariance_2_1);
+    (void)read_centred(covariance_2[2 * stride], 1000000000000.0, &in->covariance_2_2);
+    (void)read_centred(covariance_2[3 * stride], 1000000000000.0, &in->covariance_2_3);
+    (void)read_centred(covariance_2[4 * stride], 1000000000000.0, &in->covariance_2_4);
+    (void)read_centred(covariance_2[5 * stride], 1000000000000.0, &in->covariance_2_5);
+    (void)read_centred(covariance_2[6 * stride], 1000000000000.0, &in->covariance_2_6);
+    (void)read_centred(covariance_2[7 * stride], 1000000000000.0, &in->covariance_2_7);
+    (void)read_centred(covariance_2[8 * stride], 1000000000000.0, &in->covariance_2_8);
 #else
     in->observer_attitude_w = observer_attitude[0];
     in->observer_attitude_x = observer_attitude[stride];

@@ -11,7 +11,7 @@
 #include "warpos_gps/warpos_gps_types.h"
 #include "warpos_gps_check.h"
 
-/** Inputs of to_state_frame as its kernel reads them, each finite and inside its declared range. */
+/** Inputs of to_state_frame as its kernel reads them, each checked against its range. */
 typedef struct {
     warpos_gps_real_t observer_attitude_w;  /* ref -> f */
     warpos_gps_real_t observer_attitude_x;  /* ref -> f */
@@ -97,7 +97,7 @@ WARPOS_GPS_INLINE warpos_gps_flag_t to_state_frame_load(
     in->covariance_2_7 = covariance_2[7];
     in->covariance_2_8 = covariance_2[8];
 
-    const bool near = is_near_quaternion(in->observer_attitude_w, in->observer_attitude_x,
+    const bool bounded = is_near_quaternion(in->observer_attitude_w, in->observer_attitude_x,
         in->observer_attitude_y, in->observer_attitude_z, 1.0e-05) &&
         is_near_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.0e-05);
     bool inside = are_three_centred(in->receiver_position_x, in->receiver_position_y,
@@ -109,13 +109,13 @@ WARPOS_GPS_INLINE warpos_gps_flag_t to_state_frame_load(
         in->covariance_2_3, 1000000000000.0) && are_four_centred(in->covariance_2_4,
         in->covariance_2_5, in->covariance_2_6, in->covariance_2_7, 1000000000000.0) &&
         is_centred(in->covariance_2_8, 1000000000000.0);
-    inside = inside && (near || (are_four_centred(in->observer_attitude_w, in->observer_attitude_x,
-        in->observer_attitude_y, in->observer_attitude_z, 1.00001) &&
+    inside = inside && (bounded || (are_four_centred(in->observer_attitude_w,
+        in->observer_attitude_x, in->observer_attitude_y, in->observer_attitude_z, 1.00001) &&
         are_four_centred(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z, 1.00001)));
 
-    skewed |= near ? (warpos_gps_flag_t)0U : is_skewed_quaternion(in->observer_attitude_w,
+    skewed |= bounded ? (warpos_gps_flag_t)0U : is_skewed_quaternion(in->observer_attitude_w,
         in->observer_attitude_x, in->observer_attitude_y, in->observer_attitude_z, 1.0e-05);
-    skewed |= near ? (warpos_gps_flag_t)0U : is_skewed_quaternion(in->attitude_w, in->attitude_x,
+    skewed |= bounded ? (warpos_gps_flag_t)0U : is_skewed_quaternion(in->attitude_w, in->attitude_x,
         in->attitude_y, in->attitude_z, 1.0e-05);
 
     return (!inside) ? (warpos_gps_flag_t)WARPOS_GPS_RANGE :
