@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from symnav import pipeline
 from symnav.export.runners import Verdict
 from symnav.export.runners.fuzz import Fuzz
 from tests.export.bundles import MODELS, copy_of, replace_in
@@ -26,6 +27,13 @@ def test_nothing_is_found(model: str, tmp_path: Path) -> None:
     record = Fuzz().run(copy_of(model, "float", tmp_path))
     assert record.verdict is Verdict.PASSED, record.findings
     assert int(record.shown.split()[0]) > 0
+
+
+def test_epochs_side_by_side_fill_whole_blocks(tmp_path: Path) -> None:
+    pipeline.export(pipeline.load("navtk_specific_force"), tmp_path, scalar="double", batches=True)
+    assert "_blocks(" in next(tmp_path.glob("proof/fuzz_*.c")).read_text()
+    record = Fuzz().run(tmp_path)
+    assert record.verdict is Verdict.PASSED, record.findings
 
 
 @pytest.mark.parametrize(

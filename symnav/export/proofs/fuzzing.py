@@ -80,7 +80,7 @@ class Harness:
         wild = "false" if array.name in self.entry.promised else "true"
         yield from comments.code(
             f"{array.type} *{array.name} = fill_{name_of(array.type)}(in, {array.name}_domains, "
-            f"{len(domains)}, {times}, {wild});"
+            f"{len(domains)}, {times}, {self.entry.lanes}, {wild});"
         )
 
     def _room(self, array: Array) -> str:

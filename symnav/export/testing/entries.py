@@ -89,6 +89,7 @@ class Entry:
         arrays: its pointers, in order.
         maximum: most items of a call; 0 where it has no items.
         epochs: most epochs a driver gives it; 0 where it takes one.
+        lanes: epochs that lie side by side in its arrays; 1 where every epoch has a row.
         statuses: what one epoch can end with: those of the call, or of every epoch.
         promised: by array, what an entry point that does not look at its inputs relies on.
     """
@@ -97,6 +98,7 @@ class Entry:
     arrays: tuple[Array, ...]
     maximum: int
     epochs: int
+    lanes: int
     statuses: tuple[str, ...]
     promised: Mapping[str, Promise]
 
@@ -199,7 +201,8 @@ def _entry(
     statuses = family[0].statuses if many else prototype.statuses
     border = function.checks_at_border and prototype.symbol == family[0].symbol + BORDER
     promised = {} if function.checks_inputs or border else _promised(arrays, function, scalar)
-    return Entry(prototype, tuple(arrays), maximum, epochs, statuses, promised)
+    beside = lanes if prototype.symbol.endswith("_blocks") else 1
+    return Entry(prototype, tuple(arrays), maximum, epochs, beside, statuses, promised)
 
 
 def _promised(
