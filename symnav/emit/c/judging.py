@@ -85,7 +85,10 @@ class Judgement:
         return tuple(group for group in self.groups if not self._is_bounded(group))
 
     def _is_bounded(self, group: Group) -> bool:
-        """True where a norm that is close enough bounds the elements, whatever is rounded."""
+        """True where a norm that is close enough bounds the elements, whatever is rounded.
+
+        Specifications declare 1 + tolerance; what else a module declares must not be narrower.
+        """
         tolerance = group.domain.tolerance
         least = 1.0 + tolerance
         wide = tolerance >= _SPACINGS * 2.0 * self.target.unit_roundoff
@@ -114,7 +117,7 @@ class Judgement:
         """The statement that looks at a norm, if there is one."""
         if not has_norm(group.domain):
             return []
-        return group.skewed(self.target, unless="bounded" if group in self._bounded else "")
+        return group.skewed(self.target, unless="bounded" if self._is_bounded(group) else "")
 
     def _tests(self, group: Group) -> Iterator[str]:
         texts = iter(group.texts)
