@@ -123,7 +123,7 @@ def limits(statement: str) -> tuple[float, float]:
     """Lower and upper limit of a statement that checks an input."""
     name, *arguments = re.split(r"[(),]\s*", statement.split("|= ")[1])
     numbers = [float(re.sub(r"F$", "", text)) for text in arguments if re.match(r"-?\d", text)]
-    if name in ("take_centred", "is_beyond"):
+    if name in ("take_centred", "read_centred", "is_beyond"):
         return -numbers[0], numbers[0]
     return numbers[0], numbers[1]
 

@@ -150,7 +150,7 @@ MISTAKES = {
     ),
     "range is forgotten": (
         "rover_range_kernel.h",
-        r"outside \|= (take_value\(troposphere)",
+        r"outside \|= (read_value\(troposphere)",
         r"(void)\1",
     ),
     "geometry is not looked at": (
