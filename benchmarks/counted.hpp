@@ -58,7 +58,7 @@ public:
     }
 
 private:
-    double value_ = 0.0;
+    double value_;
 };
 
 inline Counted sqrt(Counted a) { return Counted::counted(std::sqrt(a.value())); }

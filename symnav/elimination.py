@@ -36,12 +36,14 @@ def jacobian(
     # Forward, backward, and (None) always the vertex that makes the fewest products next.
     orders = (inner, inner[::-1], None)
     best: _Trial | None = None
-    for names in (False, True):
-        for order in orders:
+    for order in orders:
+        for names in (False, True):
             limit = None if best is None else best.cost
             trial = _eliminate(graph, edges, order, names_multiples=names, limit=limit)
             if best is None or trial.cost < best.cost:
                 best = trial
+            if not trial.met_multiple:
+                break
     assert best is not None
     graph.adopt(best.definitions)
     return {
@@ -69,7 +71,8 @@ def _reachable_edges(graph: Graph, value: Sequence[sp.Expr]) -> dict[str, dict[s
 class _Trial:
     """One elimination: the edges left, the names given and what they cost.
 
-    ``names_multiples`` gives a number times a symbol a name, so that it is multiplied once.
+    ``names_multiples`` gives a number times a symbol a name, so that it is multiplied once; where
+    ``met_multiple`` stays false, doing so changes nothing.
     """
 
     graph: Graph
@@ -77,6 +80,7 @@ class _Trial:
     names_multiples: bool
     definitions: list[Definition] = field(default_factory=list)
     cost: int = 0
+    met_multiple: bool = False
     _known: dict[sp.Expr, sp.Expr] = field(default_factory=dict)
     _items: set[sp.Symbol] = field(default_factory=set)
     _taken: set[str] = field(default_factory=set)
@@ -85,8 +89,11 @@ class _Trial:
         """The expression itself when it is as good as a symbol, otherwise its name."""
         if expression.is_Symbol or expression.is_Number:
             return expression
-        if _is_atomic(expression) and not (self.names_multiples and is_multiple(expression)):
-            return expression
+        if _is_atomic(expression):
+            multiple = is_multiple(expression)
+            self.met_multiple |= multiple
+            if not (multiple and self.names_multiples):
+                return expression
         if expression in self._known:
             return self._known[expression]
         if -expression in self._known:

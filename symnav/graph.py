@@ -190,17 +190,15 @@ class Graph:
                 raise AssertionError(f"{symbol} moves by a rule; build the vertex by that rule")
             name, index = self._owner[symbol]
             used.setdefault(name, {})[index] = symbol
-        # SymPy takes its time to say that a derivative is zero.
-        read = [expression.free_symbols for expression in expressions]
         return {
             name: tuple(
                 tuple(
-                    sp.diff(expression, columns[k]).xreplace(self._multiples)
-                    if columns.get(k) in symbols
+                    derivative(expression, columns[k]).xreplace(self._multiples)
+                    if k in columns
                     else ZERO
                     for k in range(self.vertices[name].size)
                 )
-                for expression, symbols in zip(expressions, read, strict=True)
+                for expression in expressions
             )
             for name, columns in used.items()
         }
@@ -269,6 +267,30 @@ class Graph:
 
     def _unique_vertex(self, name: str) -> str:
         return _first_free(name, set(self.vertices))
+
+
+def derivative(expression: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
+    """What SymPy's ``diff`` gives, without the time it takes over sums, products and powers."""
+    if symbol not in expression.free_symbols:
+        return ZERO
+    if expression.is_Symbol:
+        return ONE
+    arguments = expression.args
+    if expression.is_Add:
+        return sp.Add(*(derivative(term, symbol) for term in arguments))
+    if expression.is_Mul:
+        parts = ((k, derivative(factor, symbol)) for k, factor in enumerate(arguments))
+        return sp.Add(
+            *(
+                sp.Mul(*arguments[:k], part, *arguments[k + 1 :])
+                for k, part in parts
+                if part is not ZERO
+            )
+        )
+    if expression.is_Pow and expression.exp.is_Number:
+        base, exponent = arguments
+        return exponent * base ** (exponent - 1) * derivative(base, symbol)
+    return sp.diff(expression, symbol)
 
 
 def is_multiple(expression: sp.Expr) -> bool:

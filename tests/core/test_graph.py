@@ -8,6 +8,8 @@ import sympy as sp
 from symnav import graph as g
 from symnav.graph import ONE, ZERO, Definition, Graph, Guard, is_multiple
 
+X, Y = sp.symbols("x y")
+
 
 def moving(graph: Graph, name: str, size: int, scale: sp.Expr = ONE) -> tuple[sp.Symbol, ...]:
     """Arguments that an error of the same size moves."""
@@ -126,6 +128,25 @@ def test_matrices() -> None:
 
 def test_multiples() -> None:
     """A sign is no factor worth a name, and a sum is no multiple."""
-    x, y = sp.symbols("x y")
-    assert is_multiple(2 * x) and is_multiple(-x / 3) and is_multiple(sp.Float(0.25) * x)
-    assert not any(is_multiple(e) for e in (x, -x, 2 * x * y, 2 * x + 1, sp.Integer(3)))
+    assert is_multiple(2 * X) and is_multiple(-X / 3) and is_multiple(sp.Float(0.25) * X)
+    assert not any(is_multiple(e) for e in (X, -X, 2 * X * Y, 2 * X + 1, sp.Integer(3)))
+
+
+@pytest.mark.parametrize(
+    "expression",
+    [
+        3 * X + Y,
+        X * Y * (X - Y),
+        (X**2 + Y**2 + 1) ** sp.Rational(-3, 2),
+        X**Y,
+        sp.sin(X * Y) / X,
+        sp.atan2(X, Y) * X**3,
+        sp.Piecewise((X * Y, X < 1), (sp.sqrt(X), True)),
+        sp.Integer(7),
+    ],
+    ids=str,
+)
+def test_derivatives_are_those_of_sympy(expression: sp.Expr) -> None:
+    """The very same expression, which later steps recognise."""
+    for symbol in (X, Y, sp.Symbol("elsewhere")):
+        assert g.derivative(expression, symbol) == sp.diff(expression, symbol)

@@ -14,9 +14,10 @@ from tempfile import mkdtemp
 import pytest
 
 from benchmarks.contestants import symnav_code
-from benchmarks.measuring import records
+from benchmarks.measuring import operations, records
 from benchmarks.problems import PROBLEMS, Problem
 from symnav.bench.adapters import Entries
+from symnav.bench.program import built, run
 from symnav.lower.passes.counts import count_operations
 from tests.performance.callgrind import compiler, instructions
 
@@ -49,6 +50,20 @@ def test_operations(name: str) -> None:
     found = count_operations(entries(name, True).function).total(problem.items or 1)
     assert found <= budget(name)["operations"]
     assert budget(name)["operations"] <= MOST_OPERATIONS[name]
+
+
+@pytest.mark.skipif(shutil.which("g++") is None, reason="needs g++")
+@pytest.mark.parametrize("name", ["gps", "pr8", "imu4"])
+def test_executed_operations(name: str, tmp_path: Path) -> None:
+    """What benchmarks count while the C runs is what the graph says; guards only add to it."""
+    problem = COMPARED[name]
+    wanted = ("symnav_nz", "symnav_nz_guarded")
+    made = {c.candidate.name: c for c in symnav_code.contestants(problem, tmp_path)}
+    program = built([made[name].candidate for name in wanted], "o2", tmp_path)
+    run(program, records(problem), 1)
+    said = count_operations(entries(name, False).function).total(problem.items or 1)
+    assert operations(made["symnav_nz"], tmp_path) == said
+    assert (operations(made["symnav_nz_guarded"], tmp_path) or 0) > said
 
 
 @pytest.mark.skipif(shutil.which("valgrind") is None, reason="needs valgrind")

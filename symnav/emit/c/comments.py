@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 import textwrap
+from collections.abc import Sequence
+from itertools import accumulate, repeat
 
 WIDTH = 100
 
@@ -81,11 +83,13 @@ def _broken(text: str, indent: str) -> list[str]:
     """Break a statement at its outermost operators and commas, and inside only where it must."""
     if len(indent) + len(text) <= WIDTH:
         return [indent + text]
-    deepest = max(_depths(text), default=0)
+    # In front of an operator no line ends.
+    glued = _OPERATOR.sub(lambda match: _GLUE + match.group(1) + " ", text)
+    depths = _depths(glued)
     lines: list[str] = []
-    for depth in range(deepest + 1):
+    for depth in range(max(depths) + 1):
         lines = textwrap.wrap(
-            _glued(text, depth),
+            _glued(glued, depths, depth),
             width=WIDTH,
             initial_indent=indent,
             subsequent_indent=indent + "    ",
@@ -97,24 +101,20 @@ def _broken(text: str, indent: str) -> list[str]:
     return [line.replace(_GLUE, " ") for line in lines]
 
 
-def _glued(text: str, depth: int) -> str:
-    """The text with some spaces made unbreakable.
+def _glued(text: str, depths: Sequence[int], deepest: int) -> str:
+    """The text with the spaces made unbreakable that are nested deeper than a depth."""
+    characters = list(text)
+    start = text.find(" ")
+    while start >= 0:
+        if depths[start] > deepest:
+            characters[start] = _GLUE
+        start = text.find(" ", start + 1)
+    return "".join(characters)
 
-    These are the ones in an index, nested deeper than a depth, or in front of an operator.
-    """
-    ends_line = _OPERATOR.sub(lambda match: _GLUE + match.group(1) + " ", text)
-    spaces = zip(ends_line, _depths(ends_line), strict=True)
-    return "".join(
-        _GLUE if character == " " and nesting > depth else character
-        for character, nesting in spaces
-    )
+
+_NESTING = {"(": 1, "[": 99, "]": -99, ")": -1}
 
 
 def _depths(text: str) -> list[int]:
     """How many parentheses are open at every character; an index counts as very deep."""
-    depths: list[int] = []
-    nesting = 0
-    for character in text:
-        nesting += {"(": 1, "[": 99, "]": -99, ")": -1}.get(character, 0)
-        depths.append(nesting)
-    return depths
+    return list(accumulate(map(_NESTING.get, text, repeat(0))))
