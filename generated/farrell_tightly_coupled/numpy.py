@@ -239,7 +239,7 @@ def _pseudorange_kernel(
             + range_vector_z * range_vector_z,
             1e-12,
             1e30,
-            1.0,
+            4.0,
             _runtime.Status.DOMAIN,
         )
         range = xp.sqrt(range_squared)
@@ -353,7 +353,7 @@ def _pseudorange_lever_arm_kernel(
             + range_vector_z * range_vector_z,
             1e-12,
             1e30,
-            1.0,
+            4.0,
             _runtime.Status.DOMAIN,
         )
         range = xp.sqrt(range_squared)

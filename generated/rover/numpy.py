@@ -427,7 +427,7 @@ def _range_kernel(
             + range_vector_z * range_vector_z,
             1e-12,
             1e30,
-            1.0,
+            4.0,
             _runtime.Status.DOMAIN,
         )
         range = xp.sqrt(range_squared)

@@ -80,7 +80,7 @@ def _pseudorange_kernel(xp: Any, guards: _arrays.Guards, x: Any) -> _arrays.Mapp
             + range_vector_z * range_vector_z,
             1e-12,
             1e30,
-            1.0,
+            4.0,
             _runtime.Status.DOMAIN,
         )
         range = xp.sqrt(range_squared)
@@ -133,7 +133,7 @@ def _pseudorange_without_sagnac_kernel(xp: Any, guards: _arrays.Guards, x: Any) 
             + range_vector_z * range_vector_z,
             1e-12,
             1e30,
-            1.0,
+            4.0,
             _runtime.Status.DOMAIN,
         )
         range = xp.sqrt(range_squared)

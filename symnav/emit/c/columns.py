@@ -47,7 +47,7 @@ class Columns(ItemLoops):
             if parameter.direction == "out"
             and parameter.name.removesuffix("_nz") in {store.output.name for store in stores}
         ]
-        codes = [f"flag_t codes[{kernel.target.macro}_RESTRICT]"] if self.skips else []
+        failures = [f"flag_t failures[{kernel.target.macro}_RESTRICT]"] if self.skips else []
         name = f"{kernel.local}_columns"
         result = "flag_t" if self.skips else "void"
         kept = "const flag_t failed = " if self.skips else ""
@@ -57,7 +57,7 @@ class Columns(ItemLoops):
             "n",
             *(argument.name for argument in self.item_arguments),
             *(column_name(store.output) for store in stores),
-            *(["codes"] if self.skips else []),
+            *(["failures"] if self.skips else []),
         ]
         return {
             "head": entry.prototype(f"{kernel.target.macro}_WIDE {kernel.target.status}"),
@@ -65,7 +65,7 @@ class Columns(ItemLoops):
             "loop_head": self.loop_head(
                 name,
                 f"{kernel.target.macro}_INLINE {result}",
-                [*parameters, *codes],
+                [*parameters, *failures],
                 before=stride,
             ),
             **self.evaluation("i", passed=self.rejects),

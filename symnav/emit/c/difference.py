@@ -123,6 +123,8 @@ def _source(mapped: Mapped, entries: Mapping[str, EntryPoint]) -> str:
         fallible=mapped.fallible,
         rejects=mapped.rejects,
         skips=mapped.skips,
+        base_status=mapped.status("base.failures[0]"),
+        block_status=mapped.status("block.failures[lane]"),
         inner_head=head(f"static {target.status}", inner, declarations),
         prologue=mapped.prologue(),
         begin=mapped.begin(),

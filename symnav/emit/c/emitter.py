@@ -27,6 +27,8 @@ from symnav.emit.templates import render
 # The inline helpers of the check file and what each of them calls, callees in front of callers.
 _HELPERS: Mapping[str, tuple[str, ...]] = {
     "first_failure": (),
+    "both_failures": (),
+    "first_of_both": (),
     "is_within": (),
     "magnitude_of": (),
     "is_centred": ("magnitude_of",),

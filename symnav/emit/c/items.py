@@ -43,8 +43,10 @@ class ItemLoops:
 
     def helpers(self) -> set[str]:
         """Names of the inline helpers that the loops call."""
-        several = self.fallible and self.kernel.inputs.can_fail(item=True)
-        return {"first_failure"} if several or self.rejects else set()
+        if self.rejects:
+            return {"first_failure"}
+        both = self.fallible and self.kernel.inputs.can_fail(item=True)
+        return {"both_failures", "first_of_both"} if both else set()
 
     def context(self, *, address: bool) -> list[str]:
         """What a loop over items needs of the shared part, as arguments of a call."""
@@ -155,9 +157,15 @@ class ItemLoops:
 
     @property
     def verdict(self) -> str:
-        """C text of the status of an item in a loop."""
+        """C text of what a loop keeps about the checks of an item; zero where all have passed."""
+        if not self.kernel.inputs.can_fail(item=True):
+            return "evaluated"
+        return f"{'first_failure' if self.rejects else 'both_failures'}(loaded, evaluated)"
+
+    def status(self, kept: str) -> str:
+        """C text of the status of an item that does not fail the call, from what a loop kept."""
         both = self.kernel.inputs.can_fail(item=True)
-        return "first_failure(loaded, evaluated)" if both else "evaluated"
+        return f"(uint8_t)first_of_both({kept})" if both else f"(uint8_t){kept}"
 
     @property
     def _loaded(self) -> str:

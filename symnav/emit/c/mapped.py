@@ -91,6 +91,8 @@ class Mapped(ItemLoops):
             check=self._check() if self.rejects else None,
             lanes_routines=[self._lanes(suffix, outputs) for suffix, _, outputs in kinds],
             verdict=self.verdict,
+            block_status=self.status("block.failures[lane]"),
+            column_status=self.status("failures[i]"),
             prologue=self.prologue(),
             begin=self.begin(),
             check_call=self.check_call(),
@@ -188,7 +190,7 @@ class Mapped(ItemLoops):
             for slot in self._item_slots
         ]
         if self.skips:
-            fields.append(Field("flag_t", "status", self.lanes_macro))
+            fields.append(Field("flag_t", "failures", self.lanes_macro))
         brief = "Non-zeros of a block of items, each stored contiguously across the items."
         return Struct(f"{kernel.local}_block_t", brief, tuple(fields))
 

@@ -84,6 +84,24 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t first_failure(
         later;
 }
 
+/* Two statuses in one number: in a vector register this costs less than to choose between them. */
+FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t both_failures(
+    farrell_tightly_coupled_flag_t earlier,
+    farrell_tightly_coupled_flag_t later)
+{
+    return earlier | (later << 8U);
+}
+
+/* The status of the step that failed first. */
+FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t
+    first_of_both(farrell_tightly_coupled_flag_t both)
+{
+    const farrell_tightly_coupled_flag_t earlier = both & (farrell_tightly_coupled_flag_t)0xFFU;
+
+    return (earlier != (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) ? earlier :
+        (both >> 8U);
+}
+
 /* True when a value is a number inside a closed range; false for NaN. */
 FARRELL_TIGHTLY_COUPLED_INLINE bool is_within(
     farrell_tightly_coupled_real_t value,

@@ -19,7 +19,7 @@ typedef struct {
     farrell_tightly_coupled_real_t value[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LANES];
     farrell_tightly_coupled_real_t residual[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LANES];
     farrell_tightly_coupled_real_t jacobian[4 * FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LANES];
-    farrell_tightly_coupled_flag_t status[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LANES];
+    farrell_tightly_coupled_flag_t failures[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LANES];
 } pseudorange_block_t;
 
 /* Store the non-zeros of value, a stride apart. */
@@ -120,7 +120,7 @@ static FARRELL_TIGHTLY_COUPLED_WIDE void pseudorange_lanes(
             pseudorange_load_item(&satellite_position[3 * lane], &measured[lane], &item);
         const farrell_tightly_coupled_flag_t evaluated = pseudorange_item(in, shared, &item, &out);
 
-        block->status[lane] = first_failure(loaded, evaluated);
+        block->failures[lane] = both_failures(loaded, evaluated);
         pseudorange_put_value(&out, &block->value[lane]);
         pseudorange_put_residual(&out, &block->residual[lane]);
         pseudorange_put_jacobian(&out, FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LANES,
@@ -145,7 +145,7 @@ static FARRELL_TIGHTLY_COUPLED_WIDE void pseudorange_lanes_value(
             pseudorange_load_item(&satellite_position[3 * lane], &measured[lane], &item);
         const farrell_tightly_coupled_flag_t evaluated = pseudorange_item(in, shared, &item, &out);
 
-        block->status[lane] = first_failure(loaded, evaluated);
+        block->failures[lane] = both_failures(loaded, evaluated);
         pseudorange_put_value(&out, &block->value[lane]);
         pseudorange_put_residual(&out, &block->residual[lane]);
     }
@@ -168,7 +168,7 @@ static FARRELL_TIGHTLY_COUPLED_WIDE void pseudorange_lanes_jacobian(
             pseudorange_load_item(&satellite_position[3 * lane], &measured[lane], &item);
         const farrell_tightly_coupled_flag_t evaluated = pseudorange_item(in, shared, &item, &out);
 
-        block->status[lane] = first_failure(loaded, evaluated);
+        block->failures[lane] = both_failures(loaded, evaluated);
         pseudorange_put_jacobian(&out, FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LANES,
             &block->jacobian[lane]);
     }
@@ -215,8 +215,8 @@ static farrell_tightly_coupled_status_t pseudorange_rows(
             for (int32_t lane = 0; lane < count; ++lane) {
                 const int32_t i = first + lane;
 
-                item_status[i] = (uint8_t)block.status[lane];
-                if (block.status[lane] ==
+                item_status[i] = (uint8_t)first_of_both(block.failures[lane]);
+                if (block.failures[lane] ==
                     (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
                     pseudorange_fill_value(&block.value[lane], &value[i]);
                     pseudorange_fill_residual(&block.residual[lane], &residual[i]);
@@ -273,8 +273,8 @@ static farrell_tightly_coupled_status_t pseudorange_rows_value(
             for (int32_t lane = 0; lane < count; ++lane) {
                 const int32_t i = first + lane;
 
-                item_status[i] = (uint8_t)block.status[lane];
-                if (block.status[lane] ==
+                item_status[i] = (uint8_t)first_of_both(block.failures[lane]);
+                if (block.failures[lane] ==
                     (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
                     pseudorange_fill_value(&block.value[lane], &value[i]);
                     pseudorange_fill_residual(&block.residual[lane], &residual[i]);
@@ -326,8 +326,8 @@ static farrell_tightly_coupled_status_t pseudorange_rows_jacobian(
             for (int32_t lane = 0; lane < count; ++lane) {
                 const int32_t i = first + lane;
 
-                item_status[i] = (uint8_t)block.status[lane];
-                if (block.status[lane] ==
+                item_status[i] = (uint8_t)first_of_both(block.failures[lane]);
+                if (block.failures[lane] ==
                     (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
                     pseudorange_fill_jacobian(&block.jacobian[lane],
                         FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LANES, &jacobian[17 * i]);
@@ -447,7 +447,7 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t pseudorange_column
         FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS],
     farrell_tightly_coupled_real_t jacobian_nz[FARRELL_TIGHTLY_COUPLED_RESTRICT 4 *
         FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS],
-    farrell_tightly_coupled_flag_t codes[FARRELL_TIGHTLY_COUPLED_RESTRICT])
+    farrell_tightly_coupled_flag_t failures[FARRELL_TIGHTLY_COUPLED_RESTRICT])
 {
     farrell_tightly_coupled_flag_t failed = 0U;
 
@@ -459,8 +459,8 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t pseudorange_column
             pseudorange_load_item(&satellite_position[3 * i], &measured[i], &item);
         const farrell_tightly_coupled_flag_t evaluated = pseudorange_item(in, shared, &item, &out);
 
-        codes[i] = first_failure(loaded, evaluated);
-        failed |= codes[i];
+        failures[i] = both_failures(loaded, evaluated);
+        failed |= failures[i];
         pseudorange_fill_value(out.value, &value[i]);
         pseudorange_fill_residual(out.residual, &residual[i]);
         pseudorange_put_jacobian(&out, stride, &jacobian_nz[i]);
@@ -495,17 +495,17 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_status_t pseudorange_spar
         (farrell_tightly_coupled_status_t)pseudorange_load(x, c_n_e, origin, &in);
 
     if (status == FARRELL_TIGHTLY_COUPLED_OK) {
-        farrell_tightly_coupled_flag_t codes[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS];
+        farrell_tightly_coupled_flag_t failures[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_MAX_ITEMS];
         (void)pseudorange_shared(&in, &shared);
         const farrell_tightly_coupled_flag_t failed =
             pseudorange_columns(stride, &in, &shared, n, satellite_position,
-            measured, value, residual, jacobian_nz, codes);
+            measured, value, residual, jacobian_nz, failures);
 
         (void)memset(item_status, (int)FARRELL_TIGHTLY_COUPLED_OK, (size_t)n);
         if (failed != 0U) {
             for (int32_t i = 0; i < n; ++i) {
-                item_status[i] = (uint8_t)codes[i];
-                if (codes[i] != (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+                item_status[i] = (uint8_t)first_of_both(failures[i]);
+                if (failures[i] != (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
                     pseudorange_clear_value(&value[i]);
                     pseudorange_clear_residual(&residual[i]);
                     for (int32_t k = 0; k < 4; ++k) {
@@ -721,8 +721,8 @@ static farrell_tightly_coupled_status_t pseudorange_differences(
     if (status == FARRELL_TIGHTLY_COUPLED_OK) {
         pseudorange_lanes(&in, &shared, 1, &satellite_position[3 * reference], &measured[reference],
             &base);
-        item_status[reference] = (uint8_t)base.status[0];
-        status = (farrell_tightly_coupled_status_t)base.status[0];
+        item_status[reference] = (uint8_t)first_of_both(base.failures[0]);
+        status = (farrell_tightly_coupled_status_t)item_status[reference];
     }
     if (status == FARRELL_TIGHTLY_COUPLED_OK) {
         pseudorange_block_t block;
@@ -741,8 +741,8 @@ static farrell_tightly_coupled_status_t pseudorange_differences(
                 if (i != reference) {
                     const int32_t row = (i < reference) ? i : (i - 1);
 
-                    item_status[i] = (uint8_t)block.status[lane];
-                    if (block.status[lane] ==
+                    item_status[i] = (uint8_t)first_of_both(block.failures[lane]);
+                    if (block.failures[lane] ==
                         (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
                         pseudorange_difference_value(&block.value[lane], base.value, &value[row]);
                         pseudorange_difference_residual(&block.residual[lane], base.residual,

@@ -19,7 +19,7 @@ typedef struct {
     farrell_tightly_coupled_real_t value[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_LANES];
     farrell_tightly_coupled_real_t
         jacobian[7 * FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_LANES];
-    farrell_tightly_coupled_flag_t status[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_LANES];
+    farrell_tightly_coupled_flag_t failures[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_LANES];
 } pseudorange_lever_arm_block_t;
 
 /* Store the non-zeros of value, a stride apart. */
@@ -111,7 +111,7 @@ static FARRELL_TIGHTLY_COUPLED_WIDE void pseudorange_lever_arm_lanes(
         const farrell_tightly_coupled_flag_t evaluated =
             pseudorange_lever_arm_item(in, shared, &item, &out);
 
-        block->status[lane] = first_failure(loaded, evaluated);
+        block->failures[lane] = both_failures(loaded, evaluated);
         pseudorange_lever_arm_put_value(&out, &block->value[lane]);
         pseudorange_lever_arm_put_jacobian(&out,
             FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_LANES, &block->jacobian[lane]);
@@ -135,7 +135,7 @@ static FARRELL_TIGHTLY_COUPLED_WIDE void pseudorange_lever_arm_lanes_value(
         const farrell_tightly_coupled_flag_t evaluated =
             pseudorange_lever_arm_item(in, shared, &item, &out);
 
-        block->status[lane] = first_failure(loaded, evaluated);
+        block->failures[lane] = both_failures(loaded, evaluated);
         pseudorange_lever_arm_put_value(&out, &block->value[lane]);
     }
 }
@@ -157,7 +157,7 @@ static FARRELL_TIGHTLY_COUPLED_WIDE void pseudorange_lever_arm_lanes_jacobian(
         const farrell_tightly_coupled_flag_t evaluated =
             pseudorange_lever_arm_item(in, shared, &item, &out);
 
-        block->status[lane] = first_failure(loaded, evaluated);
+        block->failures[lane] = both_failures(loaded, evaluated);
         pseudorange_lever_arm_put_jacobian(&out,
             FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_LANES, &block->jacobian[lane]);
     }
@@ -202,8 +202,8 @@ static farrell_tightly_coupled_status_t pseudorange_lever_arm_rows(
             for (int32_t lane = 0; lane < count; ++lane) {
                 const int32_t i = first + lane;
 
-                item_status[i] = (uint8_t)block.status[lane];
-                if (block.status[lane] ==
+                item_status[i] = (uint8_t)first_of_both(block.failures[lane]);
+                if (block.failures[lane] ==
                     (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
                     pseudorange_lever_arm_fill_value(&block.value[lane], &value[i]);
                     pseudorange_lever_arm_fill_jacobian(&block.jacobian[lane],
@@ -256,8 +256,8 @@ static farrell_tightly_coupled_status_t pseudorange_lever_arm_rows_value(
             for (int32_t lane = 0; lane < count; ++lane) {
                 const int32_t i = first + lane;
 
-                item_status[i] = (uint8_t)block.status[lane];
-                if (block.status[lane] ==
+                item_status[i] = (uint8_t)first_of_both(block.failures[lane]);
+                if (block.failures[lane] ==
                     (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
                     pseudorange_lever_arm_fill_value(&block.value[lane], &value[i]);
                 } else {
@@ -307,8 +307,8 @@ static farrell_tightly_coupled_status_t pseudorange_lever_arm_rows_jacobian(
             for (int32_t lane = 0; lane < count; ++lane) {
                 const int32_t i = first + lane;
 
-                item_status[i] = (uint8_t)block.status[lane];
-                if (block.status[lane] ==
+                item_status[i] = (uint8_t)first_of_both(block.failures[lane]);
+                if (block.failures[lane] ==
                     (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
                     pseudorange_lever_arm_fill_jacobian(&block.jacobian[lane],
                         FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_LANES, &jacobian[17 * i]);
@@ -418,7 +418,7 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t pseudorange_lever_
         FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS],
     farrell_tightly_coupled_real_t jacobian_nz[FARRELL_TIGHTLY_COUPLED_RESTRICT 7 *
         FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS],
-    farrell_tightly_coupled_flag_t codes[FARRELL_TIGHTLY_COUPLED_RESTRICT])
+    farrell_tightly_coupled_flag_t failures[FARRELL_TIGHTLY_COUPLED_RESTRICT])
 {
     farrell_tightly_coupled_flag_t failed = 0U;
 
@@ -431,8 +431,8 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t pseudorange_lever_
         const farrell_tightly_coupled_flag_t evaluated =
             pseudorange_lever_arm_item(in, shared, &item, &out);
 
-        codes[i] = first_failure(loaded, evaluated);
-        failed |= codes[i];
+        failures[i] = both_failures(loaded, evaluated);
+        failed |= failures[i];
         pseudorange_lever_arm_fill_value(out.value, &value[i]);
         pseudorange_lever_arm_put_jacobian(&out, stride, &jacobian_nz[i]);
     }
@@ -465,17 +465,17 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_status_t pseudorange_leve
 
     if (status == FARRELL_TIGHTLY_COUPLED_OK) {
         farrell_tightly_coupled_flag_t
-            codes[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS];
+            failures[FARRELL_TIGHTLY_COUPLED_PSEUDORANGE_LEVER_ARM_MAX_ITEMS];
         (void)pseudorange_lever_arm_shared(&in, &shared);
         const farrell_tightly_coupled_flag_t failed =
             pseudorange_lever_arm_columns(stride, &in, &shared, n,
-            satellite_position, value, jacobian_nz, codes);
+            satellite_position, value, jacobian_nz, failures);
 
         (void)memset(item_status, (int)FARRELL_TIGHTLY_COUPLED_OK, (size_t)n);
         if (failed != 0U) {
             for (int32_t i = 0; i < n; ++i) {
-                item_status[i] = (uint8_t)codes[i];
-                if (codes[i] != (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
+                item_status[i] = (uint8_t)first_of_both(failures[i]);
+                if (failures[i] != (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
                     pseudorange_lever_arm_clear_value(&value[i]);
                     for (int32_t k = 0; k < 7; ++k) {
                         jacobian_nz[(k * stride) + i] = 0.0;
@@ -685,8 +685,8 @@ static farrell_tightly_coupled_status_t pseudorange_lever_arm_differences(
     }
     if (status == FARRELL_TIGHTLY_COUPLED_OK) {
         pseudorange_lever_arm_lanes(&in, &shared, 1, &satellite_position[3 * reference], &base);
-        item_status[reference] = (uint8_t)base.status[0];
-        status = (farrell_tightly_coupled_status_t)base.status[0];
+        item_status[reference] = (uint8_t)first_of_both(base.failures[0]);
+        status = (farrell_tightly_coupled_status_t)item_status[reference];
     }
     if (status == FARRELL_TIGHTLY_COUPLED_OK) {
         pseudorange_lever_arm_block_t block;
@@ -705,8 +705,8 @@ static farrell_tightly_coupled_status_t pseudorange_lever_arm_differences(
                 if (i != reference) {
                     const int32_t row = (i < reference) ? i : (i - 1);
 
-                    item_status[i] = (uint8_t)block.status[lane];
-                    if (block.status[lane] ==
+                    item_status[i] = (uint8_t)first_of_both(block.failures[lane]);
+                    if (block.failures[lane] ==
                         (farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_OK) {
                         pseudorange_lever_arm_difference_value(&block.value[lane], base.value,
                             &value[row]);

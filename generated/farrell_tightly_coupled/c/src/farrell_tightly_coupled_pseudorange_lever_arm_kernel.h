@@ -222,7 +222,7 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t pseudorange_lever_
     const farrell_tightly_coupled_real_t range_squared_raw = (range_vector_x * range_vector_x) +
         (range_vector_y * range_vector_y) + (range_vector_z * range_vector_z);
     const bool range_squared_ok = is_within(range_squared_raw, 1.0e-12, 1.0e+30);
-    const farrell_tightly_coupled_real_t range_squared = range_squared_ok ? range_squared_raw : 1.0;
+    const farrell_tightly_coupled_real_t range_squared = range_squared_ok ? range_squared_raw : 4.0;
     const farrell_tightly_coupled_real_t range = sqrt(range_squared);
     const farrell_tightly_coupled_real_t inverse_range = 1.0 / range;  /* shared reciprocal */
     const farrell_tightly_coupled_real_t range_direction_x = range_vector_x * inverse_range;

@@ -83,6 +83,22 @@ ROVER_INLINE rover_flag_t first_failure(
     return (earlier != (rover_flag_t)ROVER_OK) ? earlier : later;
 }
 
+/* Two statuses in one number: in a vector register this costs less than to choose between them. */
+ROVER_INLINE rover_flag_t both_failures(
+    rover_flag_t earlier,
+    rover_flag_t later)
+{
+    return earlier | (later << 8U);
+}
+
+/* The status of the step that failed first. */
+ROVER_INLINE rover_flag_t first_of_both(rover_flag_t both)
+{
+    const rover_flag_t earlier = both & (rover_flag_t)0xFFU;
+
+    return (earlier != (rover_flag_t)ROVER_OK) ? earlier : (both >> 8U);
+}
+
 /* True when a value is a number inside a closed range; false for NaN. */
 ROVER_INLINE bool is_within(
     rover_real_t value,

@@ -19,7 +19,7 @@ typedef struct {
     rover_real_t value[ROVER_RANGE_LANES];
     rover_real_t residual[ROVER_RANGE_LANES];
     rover_real_t jacobian[11 * ROVER_RANGE_LANES];
-    rover_flag_t status[ROVER_RANGE_LANES];
+    rover_flag_t failures[ROVER_RANGE_LANES];
 } range_block_t;
 
 /* Store the non-zeros of value, a stride apart. */
@@ -135,7 +135,7 @@ static ROVER_WIDE void range_lanes(
             &satellite_clock[lane], &troposphere[lane], &ionosphere[lane], &measured[lane], &item);
         const rover_flag_t evaluated = range_item(in, shared, &item, &out);
 
-        block->status[lane] = first_failure(loaded, evaluated);
+        block->failures[lane] = both_failures(loaded, evaluated);
         range_put_value(&out, &block->value[lane]);
         range_put_residual(&out, &block->residual[lane]);
         range_put_jacobian(&out, ROVER_RANGE_LANES, &block->jacobian[lane]);
@@ -163,7 +163,7 @@ static ROVER_WIDE void range_lanes_value(
             &satellite_clock[lane], &troposphere[lane], &ionosphere[lane], &measured[lane], &item);
         const rover_flag_t evaluated = range_item(in, shared, &item, &out);
 
-        block->status[lane] = first_failure(loaded, evaluated);
+        block->failures[lane] = both_failures(loaded, evaluated);
         range_put_value(&out, &block->value[lane]);
         range_put_residual(&out, &block->residual[lane]);
     }
@@ -190,7 +190,7 @@ static ROVER_WIDE void range_lanes_jacobian(
             &satellite_clock[lane], &troposphere[lane], &ionosphere[lane], &measured[lane], &item);
         const rover_flag_t evaluated = range_item(in, shared, &item, &out);
 
-        block->status[lane] = first_failure(loaded, evaluated);
+        block->failures[lane] = both_failures(loaded, evaluated);
         range_put_jacobian(&out, ROVER_RANGE_LANES, &block->jacobian[lane]);
     }
 }
@@ -232,8 +232,8 @@ static rover_status_t range_rows(
             for (int32_t lane = 0; lane < count; ++lane) {
                 const int32_t i = first + lane;
 
-                item_status[i] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (rover_flag_t)ROVER_OK) {
+                item_status[i] = (uint8_t)first_of_both(block.failures[lane]);
+                if (block.failures[lane] == (rover_flag_t)ROVER_OK) {
                     range_fill_value(&block.value[lane], &value[i]);
                     range_fill_residual(&block.residual[lane], &residual[i]);
                     range_fill_jacobian(&block.jacobian[lane], ROVER_RANGE_LANES,
@@ -286,8 +286,8 @@ static rover_status_t range_rows_value(
             for (int32_t lane = 0; lane < count; ++lane) {
                 const int32_t i = first + lane;
 
-                item_status[i] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (rover_flag_t)ROVER_OK) {
+                item_status[i] = (uint8_t)first_of_both(block.failures[lane]);
+                if (block.failures[lane] == (rover_flag_t)ROVER_OK) {
                     range_fill_value(&block.value[lane], &value[i]);
                     range_fill_residual(&block.residual[lane], &residual[i]);
                 } else {
@@ -336,8 +336,8 @@ static rover_status_t range_rows_jacobian(
             for (int32_t lane = 0; lane < count; ++lane) {
                 const int32_t i = first + lane;
 
-                item_status[i] = (uint8_t)block.status[lane];
-                if (block.status[lane] == (rover_flag_t)ROVER_OK) {
+                item_status[i] = (uint8_t)first_of_both(block.failures[lane]);
+                if (block.failures[lane] == (rover_flag_t)ROVER_OK) {
                     range_fill_jacobian(&block.jacobian[lane], ROVER_RANGE_LANES,
                         &jacobian[21 * i]);
                 } else {
@@ -456,7 +456,7 @@ ROVER_INLINE rover_flag_t range_columns(
     rover_real_t value[ROVER_RESTRICT ROVER_RANGE_MAX_ITEMS],
     rover_real_t residual[ROVER_RESTRICT ROVER_RANGE_MAX_ITEMS],
     rover_real_t jacobian_nz[ROVER_RESTRICT 11 * ROVER_RANGE_MAX_ITEMS],
-    rover_flag_t codes[ROVER_RESTRICT])
+    rover_flag_t failures[ROVER_RESTRICT])
 {
     rover_flag_t failed = 0U;
 
@@ -468,8 +468,8 @@ ROVER_INLINE rover_flag_t range_columns(
             &satellite_clock[i], &troposphere[i], &ionosphere[i], &measured[i], &item);
         const rover_flag_t evaluated = range_item(in, shared, &item, &out);
 
-        codes[i] = first_failure(loaded, evaluated);
-        failed |= codes[i];
+        failures[i] = both_failures(loaded, evaluated);
+        failed |= failures[i];
         range_fill_value(out.value, &value[i]);
         range_fill_residual(out.residual, &residual[i]);
         range_put_jacobian(&out, stride, &jacobian_nz[i]);
@@ -500,18 +500,18 @@ ROVER_INLINE rover_status_t range_sparse(
     rover_status_t status = (rover_status_t)range_load(x, nav_to_ecef, origin, &in);
 
     if (status == ROVER_OK) {
-        rover_flag_t codes[ROVER_RANGE_MAX_ITEMS];
+        rover_flag_t failures[ROVER_RANGE_MAX_ITEMS];
         (void)range_shared(&in, &shared);
         const rover_flag_t failed =
             range_columns(stride, &in, &shared, n, system, satellite_position,
             satellite_clock, troposphere, ionosphere, measured, value, residual, jacobian_nz,
-            codes);
+            failures);
 
         (void)memset(item_status, (int)ROVER_OK, (size_t)n);
         if (failed != 0U) {
             for (int32_t i = 0; i < n; ++i) {
-                item_status[i] = (uint8_t)codes[i];
-                if (codes[i] != (rover_flag_t)ROVER_OK) {
+                item_status[i] = (uint8_t)first_of_both(failures[i]);
+                if (failures[i] != (rover_flag_t)ROVER_OK) {
                     range_clear_value(&value[i]);
                     range_clear_residual(&residual[i]);
                     for (int32_t k = 0; k < 11; ++k) {

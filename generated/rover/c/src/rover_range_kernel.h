@@ -291,7 +291,7 @@ ROVER_INLINE rover_flag_t range_item(
     const rover_real_t range_squared_raw = (range_vector_x * range_vector_x) +
         (range_vector_y * range_vector_y) + (range_vector_z * range_vector_z);
     const bool range_squared_ok = is_within(range_squared_raw, 1.0e-12, 1.0e+30);
-    const rover_real_t range_squared = range_squared_ok ? range_squared_raw : 1.0;
+    const rover_real_t range_squared = range_squared_ok ? range_squared_raw : 4.0;
     const rover_real_t range = sqrt(range_squared);
     const rover_real_t inverse_range = 1.0 / range;  /* shared reciprocal */
     const rover_real_t range_direction_x = range_vector_x * inverse_range;

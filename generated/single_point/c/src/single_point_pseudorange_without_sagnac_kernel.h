@@ -109,7 +109,7 @@ SINGLE_POINT_INLINE single_point_flag_t pseudorange_without_sagnac_item(
         (range_vector_y * range_vector_y) + (range_vector_z * range_vector_z);
     const bool range_squared_ok = is_within(range_squared_raw, 1.0e-12, 1.0e+30);
     const single_point_real_t range_squared =
-        guarded(range_squared_raw, range_squared_ok, passed, 1.0);
+        guarded(range_squared_raw, range_squared_ok, passed, 4.0);
     const single_point_real_t range = sqrt(range_squared);
     const single_point_real_t inverse_range = 1.0 / range;  /* shared reciprocal */
 
