@@ -71,6 +71,12 @@
 #define FARRELL_TIGHTLY_COUPLED_NARROW
 #endif
 
+/* More numbers are at hand than sixteen vector registers hold: put them in an order that keeps few
+   waiting. Where there are more registers, and for older ones, the order is good as it is. */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__AVX2__) && !defined(__AVX512F__)
+#pragma GCC optimize("live-range-shrinkage")
+#endif
+
 /* Flags and status codes inside kernels: an integer as wide as farrell_tightly_coupled_real_t, so that a vector
    register holds as many of one as of the other. */
 typedef uint64_t farrell_tightly_coupled_flag_t;
