@@ -3,8 +3,9 @@
 usage: python benchmarks/guards.py [--flags o2|v3|native] [--items N] [--only MODEL,...]
                                    [--rounds N]
 
-A processor that others share is slow for seconds or minutes, and what is short of room for its
-arithmetic suffers most. Rounds measure every function again some time later; medians are printed.
+A processor that is shared is slow for seconds or minutes at a time, and slower for guards, which
+keep its arithmetic units busy, than for kernels, which wait for roots and quotients. A round times
+every function once; the round with the median cost of a number is printed, function by function.
 """
 
 from __future__ import annotations
@@ -62,6 +63,8 @@ def main() -> None:
     parser.add_argument("--rounds", type=int, default=1, help="of all functions, one after another")
     parser.add_argument("--repetitions", type=int, default=15)
     options = parser.parse_args()
+    if options.rounds < 1:
+        parser.error("--rounds must be 1 or more")
     names = options.only.split(",") if options.only else [name for name, _ in pipeline.shipped()]
     rounds: list[list[Cost]] = []
     for number in range(options.rounds):
@@ -84,7 +87,7 @@ def average(costs: Sequence[Cost]) -> float:
 
 
 def median(costs: Sequence[Cost]) -> Cost:
-    """Of what one checked number of a function costs, with the times of that round."""
+    """The round in which a checked number cost the median; of two in the middle, the dearer."""
     return sorted(costs, key=lambda cost: cost.each)[len(costs) // 2]
 
 

@@ -270,7 +270,10 @@ class Graph:
 
 
 def derivative(expression: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
-    """What SymPy's ``diff`` gives, without the time it takes over sums, products and powers."""
+    """The derivative by a symbol, without the time SymPy's ``diff`` takes over sums and products.
+
+    The base of a power stays whole, so that it is recognised as what has a name already.
+    """
     if symbol not in expression.free_symbols:
         return ZERO
     if expression.is_Symbol:
@@ -289,7 +292,7 @@ def derivative(expression: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
         )
     if expression.is_Pow and expression.exp.is_Number:
         base, exponent = arguments
-        return exponent * base ** (exponent - 1) * derivative(base, symbol)
+        return sp.Mul(exponent, base ** (exponent - 1), derivative(base, symbol))
     return sp.diff(expression, symbol)
 
 

@@ -54,9 +54,9 @@ class ForeignFunction(MaskedFunction):
         ]
         if noted.item is None:
             shared = np.where(noted.shared != 0, noted.shared, found[..., 0])
-            return Computed(outputs, shared, None)
+            return Computed.of(np, outputs, shared, None)
         found = found[..., : extent.items]
-        return Computed(outputs, noted.shared, np.where(noted.item != 0, noted.item, found))
+        return Computed.of(np, outputs, noted.shared, np.where(noted.item != 0, noted.item, found))
 
     def _elements(self, arrays: Sequence[Array], place: tuple[int, ...]) -> list[Array]:
         """The arguments of one item of one epoch, as contiguous columns of doubles."""

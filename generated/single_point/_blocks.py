@@ -234,7 +234,7 @@ class Plan(NamedTuple):
             count, items = item_status.shape
             noted = np.broadcast_to(guards.shared, (count,))
             by_item = np.broadcast_to(guards.item, (items, count)).T if signature.mapped else None
-            computed = Computed(list(whole), noted, by_item)
+            computed = Computed.of(np, list(whole), noted, by_item)
             self._settle(computed, results, status, item_status, fresh)
 
     def _store(

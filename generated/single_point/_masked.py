@@ -35,6 +35,13 @@ class Computed(NamedTuple):
     shared: Array
     item: Array | None
 
+    @classmethod
+    def of(cls, xp: Any, outputs: list[Array], shared: Array, item: Array | None) -> Computed:
+        """From what guards noted; of an epoch whose shared part failed items have no status."""
+        if item is not None:
+            item = xp.where(shared[..., None] != 0, xp.zeros_like(item), item)
+        return cls(outputs, shared, item)
+
 
 class MaskedFunction(Function):
     """A function of arrays of any library; what failed is found out while it is computed."""
@@ -88,6 +95,12 @@ class MaskedFunction(Function):
         ]
         shared, item = computed.shared, computed.item
         assert item is not None
+        if self.signature.reject:
+            return Computed(outputs, shared, item)
+        # Where the reference fails, nothing is said about the others.
+        own = xp.arange(item.shape[-1]) == reference
+        lost = (item[..., reference] != 0)[..., None] & ~own
+        item = xp.where(lost, xp.zeros_like(item), item)
         return Computed(outputs, xp.where(shared != 0, shared, item[..., reference]), item)
 
     @abstractmethod
@@ -116,10 +129,10 @@ class MaskedFunction(Function):
     ) -> Computed:
         """Spreads what the guards noted over the leading axes and the items."""
         if extent.items is None:
-            return Computed(outputs, xp.broadcast_to(guards.shared, extent.batch), None)
+            return Computed.of(xp, outputs, xp.broadcast_to(guards.shared, extent.batch), None)
         shared = xp.broadcast_to(guards.shared, (*extent.batch, 1))[..., 0]
         item = xp.broadcast_to(guards.item, (*extent.batch, extent.items))
-        return Computed(outputs, shared, item)
+        return Computed.of(xp, outputs, shared, item)
 
     def finish(
         self,
@@ -135,7 +148,6 @@ class MaskedFunction(Function):
         status, bad_items = shared, None
         if item is not None:
             status = xp.where(shared != 0, shared, self._of_items(xp, item))
-            item = xp.where(shared[..., None] != 0, xp.zeros_like(item), item)
             bad_items = item != 0
             if reference is not None:
                 bad_items = _without(xp, bad_items, reference, -1)

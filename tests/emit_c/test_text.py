@@ -17,6 +17,7 @@ import pytest
 from symnav import errors, ir, naming
 from symnav.emit import c
 from symnav.emit.c import comments
+from symnav.emit.c.arguments import LOCALS
 from symnav.emit.c.names import RESERVED, Names, identifier
 from symnav.emit.protocol import Emitter
 from tests.emit_c import building, modules
@@ -239,11 +240,34 @@ def test_slot_beyond_its_output() -> None:
         c.emit(modules.module(function))
 
 
+DECLARED = re.compile(
+    r"^ +(?:const )?(?:\w+_t|bool) \*?(?:\w+_RESTRICT )?(\w+)(?=[\[;,) ])"
+    r"|[(,] ?(?:const )?\w+_t \*?(?:\w+_RESTRICT )?(\w+)(?=[\[,)])"
+    r"|\((?:int32_t|ptrdiff_t) (\w+) =",
+    re.MULTILINE,
+)
+"""A name that is declared: as a local, a parameter, or the count of a loop."""
+
+APART = {"deviation", "reference_slot"}
+"""Of functions that no input of the caller is visible in."""
+
+
+def test_locals_are_known() -> None:
+    """Names that the source files declare are kept from inputs, or are the function's own."""
+    functions = modules.all_functions()
+    own = {f"{a.name}{end}" for f in functions for a in f.arguments for end in ("", "_step")}
+    own |= {f"{o.name}{end}" for f in functions for o in f.outputs for end in ("", "_nz")}
+    text = "".join(
+        t for path, t in c.emit(modules.module(*functions)).items() if path.endswith(".c")
+    )
+    found = {name for match in DECLARED.findall(text) for name in match if name}
+    assert {"codes", "failures", "lane", "epoch", "inside"} <= found
+    assert found - own - LOCALS == APART
+
+
 @gcc
 def test_inputs_may_be_called_like_locals(tmp_path: Path) -> None:
     """Every name that the C uses itself is free for an input, and for a named term."""
-    from symnav.emit.c.arguments import LOCALS
-
     names = sorted(LOCALS - {"i", "n"} | naming.HELPER_NAMES | naming.STANDARD_NAMES)
     arguments = [
         building.argument(building.domain(name, 0, ("x", "y"), 1.0), item=position % 2 == 0)

@@ -88,22 +88,27 @@ def test_any_number_of_items(
 
 @pytest.mark.parametrize("batch", [(), (3,)], ids=str)
 @pytest.mark.parametrize("other", ["native", "casadi"])
+@pytest.mark.parametrize("name", ["ranges", "strict"])
 def test_differences_agree(
-    package: ModuleType, rng: np.random.Generator, other: str, batch: tuple[int, ...]
+    package: ModuleType, rng: np.random.Generator, name: str, other: str, batch: tuple[int, ...]
 ) -> None:
-    """Differenced rows, also with a bad item and a bad reference."""
-    given = packages.arguments(FUNCTIONS["ranges"], rng, *batch)
-    form = backend(package, other).ranges.single_difference
-    expected = backend(package, "numpy").ranges.single_difference
+    """Differenced rows, also with a bad item and a bad reference, where items are refused too."""
+    given = packages.arguments(FUNCTIONS[name], rng, *batch)
+    form = getattr(backend(package, other), name).single_difference
+    expected = getattr(backend(package, "numpy"), name).single_difference
     for reference in range(5):
         own = called(form, given, reference=reference)
         assert_same(own, called(expected, given, reference=reference), 1e-11)
     if batch:
+        status = package.Status
         given["satellite"][1, 3] = np.nan
         given["satellite"][2, 1] = np.nan
+        given["satellite"][2, 0] = 1e300
         own = called(form, given, reference=1)
-        assert own.status.tolist() == [0, package.Status.PARTIAL, package.Status.RANGE]
-        assert_same(own[:3], called(expected, given, reference=1)[:3], 1e-11)
+        one_bad = status.PARTIAL if name == "ranges" else status.RANGE
+        assert own.status.tolist() == [status.OK, one_bad, status.RANGE]
+        assert own.item_status[1].tolist() == [0, 0, 0, status.RANGE, 0]
+        assert_same(own, called(expected, given, reference=1), 1e-11)
 
 
 @pytest.mark.parametrize("batch", [(), (1,), (2, 3)], ids=str)

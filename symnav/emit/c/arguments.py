@@ -14,7 +14,7 @@ from symnav.naming import words
 LOCALS = words(
     """
     base block bounded codes common count covariance dense epoch epochs evaluated failed failure
-    first i in inside item item_status k lane loaded matrix minus n next nonzeros out
+    failures first i in inside item item_status k lane loaded matrix minus n next nonzeros out
     outcome outside own passed reference rest result row shared sigma skewed status stride
     """
 )

@@ -71,8 +71,9 @@
 #define FARRELL_TIGHTLY_COUPLED_NARROW
 #endif
 
-/* More numbers are at hand than sixteen vector registers hold: put them in an order that keeps few
-   waiting. Where there are more registers, and for older ones, the order is good as it is. */
+/* Straight-line arithmetic has more numbers at hand than the sixteen vector registers of AVX2 hold:
+   gcc is asked for an order that keeps few of them waiting. The thirty-two registers of AVX-512 are
+   enough, and code for SSE2 gains nothing. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__AVX2__) && !defined(__AVX512F__)
 #pragma GCC optimize("live-range-shrinkage")
 #endif
@@ -98,7 +99,7 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t both_failures(
     return earlier | (later << 8U);
 }
 
-/* The status of the step that failed first. */
+/* The earlier of two statuses in one number, or the later one where the earlier step passed. */
 FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t
     first_of_both(farrell_tightly_coupled_flag_t both)
 {
