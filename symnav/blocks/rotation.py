@@ -15,7 +15,7 @@ import sympy as sp
 from symnav.blocks.base import Block, Nominal, Value, frame_map
 from symnav.frames import rotations
 from symnav.graph import ONE, Graph, Guard, Matrix, Row, identity, product, rows_of
-from symnav.quantities import HARMLESS_SQUARE, Rotation
+from symnav.quantities import HARMLESS, Rotation
 
 CONVENTIONS = ("right", "left", "left_negative", "right_negative", "rotation_vector", "storage")
 STORAGES = ("wxyz", "xyzw", "dcm")
@@ -161,7 +161,7 @@ class RotationBlock(Block):
         q = self.to_wxyz(x)
         raw = self.error == "storage"
         if self.normalise:
-            guard = Guard(1e-6, 1e6, HARMLESS_SQUARE, f"squared norm of {self.name}")
+            guard = Guard(1e-6, 1e6, HARMLESS, f"squared norm of {self.name}")
             matrix, square = rotations.normalised_matrix(graph, self.name, q, guard)
             gradient = rotations.normalised_gradient(q, matrix, square) if raw else ()
         elif raw:

@@ -26,7 +26,7 @@ from symnav.equations.model import (
 )
 from symnav.frames import earth
 from symnav.graph import Guard
-from symnav.quantities import HARMLESS_SQUARE, Quantity, dot, let, norm, rotate, total
+from symnav.quantities import HARMLESS, Quantity, dot, let, norm, rotate, total
 
 ITERATIONS = 3
 #: Of a satellite of the navigation systems, in metres.
@@ -47,10 +47,10 @@ def pseudorange_relative(q: Bound) -> Results:
     d = q.vector("satellite_difference")
     r0 = q.vector("reference_range")
     excess = let("excess", dot(x, x) - 2.0 * dot(d, x))
-    guard = Guard(1.0, 1e30, HARMLESS_SQUARE, "squared range")
+    guard = Guard(1.0, 1e30, HARMLESS, "squared range")
     square = let("range_squared", dot(d, d) + excess, guard)
     distance = let("range", _square_root(square))
-    both = let("range_sum", distance + r0, Guard(1.0, 1e30, HARMLESS_SQUARE, "sum of the ranges"))
+    both = let("range_sum", distance + r0, Guard(1.0, 1e30, HARMLESS, "sum of the ranges"))
     inverse = let("inverse_range_sum", _inverse(both))
     delta = let("range_change", excess * inverse)
     if q.options["sagnac"] == "first_order":

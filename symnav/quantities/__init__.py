@@ -1,7 +1,7 @@
 """What equations are written over: quantities and rotations, with the operations on them."""
 
 from symnav.quantities.quantity import (
-    HARMLESS_SQUARE,
+    HARMLESS,
     LARGEST_SQUARE,
     SMALLEST_SQUARE,
     Quantity,
@@ -24,7 +24,7 @@ from symnav.quantities.quantity import (
 from symnav.quantities.rotation import Rotation, compose, follows, rotate, skew
 
 __all__ = [
-    "HARMLESS_SQUARE",
+    "HARMLESS",
     "LARGEST_SQUARE",
     "SMALLEST_SQUARE",
     "Quantity",

@@ -28,9 +28,9 @@ from symnav.units import Unit
 #: The smallest squared length a direction may have: 1 micrometre, for ranges in metres.
 SMALLEST_SQUARE = 1e-12
 LARGEST_SQUARE = 1e30
-HARMLESS_SQUARE = 4.0
-"""What is read in the place of a square that fails its guard. Not one: a compiler would follow one
-through the root and the reciprocal, and select every result instead of one argument."""
+HARMLESS = 4.0
+"""What is read in the place of a length or a square that fails its guard. Not one: compilers follow
+one through root and reciprocal, and select every result instead of one argument."""
 
 
 @dataclass(frozen=True)
@@ -158,7 +158,7 @@ def norm(name: str, vector: Quantity) -> Quantity:
     """
     graph = vector.graph
     v = named(vector, f"{name}_vector").elements
-    guard = Guard(SMALLEST_SQUARE, LARGEST_SQUARE, HARMLESS_SQUARE, f"squared {name}")
+    guard = Guard(SMALLEST_SQUARE, LARGEST_SQUARE, HARMLESS, f"squared {name}")
     (square,) = graph.define(f"{name}_squared", [sp.Add(*(e * e for e in v))], guard=guard)
     (length,) = graph.define(name, [sp.sqrt(square)])
     if graph.moves(*v):
@@ -227,7 +227,7 @@ def divide(name: str, numerator: Quantity, denominator: Quantity) -> Quantity:
     if bottom.is_number:
         inverse = 1 / bottom
     else:
-        guard = Guard(1e-30, LARGEST_SQUARE, HARMLESS_SQUARE, f"squared divisor of {name}")
+        guard = Guard(1e-30, LARGEST_SQUARE, HARMLESS, f"squared divisor of {name}")
         (square,) = graph.define(f"{name}_divisor_squared", [bottom * bottom], guard=guard)
         (inverse,) = graph.define(f"{name}_reciprocal", [bottom / square])
         if graph.moves(bottom):
@@ -242,7 +242,7 @@ def square_root(name: str, square: Quantity) -> Quantity:
     if square.size != 1:
         raise EquationError(f"the square root needs a scalar, got {square.describe()}")
     graph = square.graph
-    guard = Guard(1e-30, LARGEST_SQUARE, HARMLESS_SQUARE, f"argument of {name}")
+    guard = Guard(1e-30, LARGEST_SQUARE, HARMLESS, f"argument of {name}")
     (argument,) = graph.let(f"{name}_squared", square.elements, guard=guard)
     (root,) = graph.define(name, [sp.sqrt(argument)])
     if graph.moves(argument):
@@ -257,7 +257,7 @@ def arctangent2(name: str, y: Quantity, x: Quantity) -> Quantity:
         raise EquationError(f"atan2: {y.describe()} and {x.describe()} do not fit")
     graph = y.graph
     point = graph.let(f"{name}_point", (y.elements[0], x.elements[0]), suffixes=("y", "x"))
-    guard = Guard(1e-30, LARGEST_SQUARE, HARMLESS_SQUARE, f"squared distance of {name}")
+    guard = Guard(1e-30, LARGEST_SQUARE, HARMLESS, f"squared distance of {name}")
     (square,) = graph.define(f"{name}_squared", [sp.Add(*(e * e for e in point))], guard=guard)
     (angle,) = graph.define(name, [sp.atan2(*point)])
     if graph.moves(*point):
