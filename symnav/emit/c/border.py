@@ -91,7 +91,7 @@ class Border:
         nothing: frozenset[ir.Load] = frozenset()
         return Inputs(
             self.kernel.target, f"{own.name}{SUFFIX}", table, nothing, nothing, {},
-            checked=True, strided=False, selects=True,
+            checked=True, strided=False, selected=nothing,
         )  # fmt: skip
 
     def _routines(self) -> list[Routine]:

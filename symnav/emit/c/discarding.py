@@ -1,4 +1,4 @@
-"""Whether a function may go on with numbers that failed their check and discard what comes of it.
+"""Which numbers that failed their check a function may go on with, to discard what comes of them.
 
 Items, and epochs side by side, are evaluated before their flags are looked at: to select a harmless
 number in the place of every one outside its range makes the arithmetic wait for the check. Sums and
@@ -8,7 +8,7 @@ unless a guard of the function itself stands in front of it.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from symnav import ir
 from symnav.emit.c.expressions import LIBRARY_CALLS
@@ -17,30 +17,42 @@ from symnav.lower.passes.walk import nodes
 _SENSITIVE = LIBRARY_CALLS | {ir.Operation.SQRT}
 
 
-def may_discard(function: ir.Function) -> bool:
-    """True when nothing that needs a number inside its domain reads one that failed its check.
+def selected(function: ir.Function) -> frozenset[ir.Load]:
+    """Elements whose place a harmless number has to take when they fail their check.
 
-    Numbers that can fail are those of items where there are items, else all of them.
+    Something that needs a number inside its domain reads them, with no guard between. Elements that
+    can fail are those of items where there are items, else all of them.
     """
-    fails = {a.name for a in function.arguments if a.item or function.maximum is None}
-    open_: set[str] = set()
+    fails = {a.name: a for a in function.arguments if a.item or function.maximum is None}
+    reach: dict[str, frozenset[ir.Load]] = {}
 
-    def reads_open(expression: ir.Expression) -> bool:
-        return any(
-            node.name in open_
-            if isinstance(node, ir.Ref)
-            else isinstance(node, ir.Load) and node.argument in fails
-            for node in nodes(expression)
-        )
+    def read_by(expressions: Iterable[ir.Expression]) -> frozenset[ir.Load]:
+        found: set[ir.Load] = set()
+        for node in (node for expression in expressions for node in nodes(expression)):
+            if isinstance(node, ir.Ref):
+                found |= reach.get(node.name, frozenset())
+            elif isinstance(node, ir.Load) and node.argument in fails:
+                found.update(_chosen_from(node, fails[node.argument]))
+        return frozenset(found)
 
+    needed: set[ir.Load] = set()
     for step in (*function.shared, *function.item):
-        if any(map(reads_open, _sensitive(step.value))):
-            return False
+        needed |= read_by(_sensitive(step.value))
         guarded = isinstance(step, ir.Check) and function.checks_domain
-        if not guarded and reads_open(step.value):
-            open_.add(step.target)
-    results = (entry.value for output in function.outputs for entry in output.entries)
-    return not any(reads_open(operand) for value in results for operand in _sensitive(value))
+        if not guarded:
+            reach[step.target] = read_by([step.value])
+    for output in function.outputs:
+        for entry in output.entries:
+            needed |= read_by(_sensitive(entry.value))
+    return frozenset(needed)
+
+
+def _chosen_from(load: ir.Load, argument: ir.Argument) -> Iterator[ir.Load]:
+    """The element, or every one that a run-time slot may choose."""
+    if isinstance(load.index, ir.Offset):
+        yield from (ir.Load(argument.name, index) for index in range(argument.size))
+    else:
+        yield load
 
 
 def _sensitive(expression: ir.Expression) -> Iterator[ir.Expression]:

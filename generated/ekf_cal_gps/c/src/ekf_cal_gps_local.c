@@ -49,19 +49,19 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t local_load_lane(
     ekf_cal_gps_flag_t skewed = 0U;
 
     /* position [m, in l] */
-    outside |= take_centred(x[0], 1000000.0, &in->position_x);
-    outside |= take_centred(x[stride], 1000000.0, &in->position_y);
-    outside |= take_centred(x[2 * stride], 1000000.0, &in->position_z);
+    outside |= read_centred(x[0], 1000000.0, &in->position_x);
+    outside |= read_centred(x[stride], 1000000.0, &in->position_y);
+    outside |= read_centred(x[2 * stride], 1000000.0, &in->position_z);
 
     /* velocity [m/s, in l] */
-    outside |= take_centred(x[3 * stride], 1000000000.0, &in->velocity_x);
-    outside |= take_centred(x[4 * stride], 1000000000.0, &in->velocity_y);
-    outside |= take_centred(x[5 * stride], 1000000000.0, &in->velocity_z);
+    outside |= read_centred(x[3 * stride], 1000000000.0, &in->velocity_x);
+    outside |= read_centred(x[4 * stride], 1000000000.0, &in->velocity_y);
+    outside |= read_centred(x[5 * stride], 1000000000.0, &in->velocity_z);
 
     /* acceleration [m/s^2, in l] */
-    outside |= take_centred(x[6 * stride], 1000000000.0, &in->acceleration_x);
-    outside |= take_centred(x[7 * stride], 1000000000.0, &in->acceleration_y);
-    outside |= take_centred(x[8 * stride], 1000000000.0, &in->acceleration_z);
+    outside |= read_centred(x[6 * stride], 1000000000.0, &in->acceleration_x);
+    outside |= read_centred(x[7 * stride], 1000000000.0, &in->acceleration_y);
+    outside |= read_centred(x[8 * stride], 1000000000.0, &in->acceleration_z);
 
     /* attitude [b -> l] */
     outside |= take_centred(x[9 * stride], 1.00001, &in->attitude_w);
@@ -72,34 +72,34 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t local_load_lane(
         1.0e-05);
 
     /* angular_rate [rad/s, in l] */
-    outside |= take_centred(x[13 * stride], 1000000000.0, &in->angular_rate_x);
-    outside |= take_centred(x[14 * stride], 1000000000.0, &in->angular_rate_y);
-    outside |= take_centred(x[15 * stride], 1000000000.0, &in->angular_rate_z);
+    outside |= read_centred(x[13 * stride], 1000000000.0, &in->angular_rate_x);
+    outside |= read_centred(x[14 * stride], 1000000000.0, &in->angular_rate_y);
+    outside |= read_centred(x[15 * stride], 1000000000.0, &in->angular_rate_z);
 
     /* angular_acceleration [rad/s^2, in l] */
-    outside |= take_centred(x[16 * stride], 1000000000.0, &in->angular_acceleration_x);
-    outside |= take_centred(x[17 * stride], 1000000000.0, &in->angular_acceleration_y);
-    outside |= take_centred(x[18 * stride], 1000000000.0, &in->angular_acceleration_z);
+    outside |= read_centred(x[16 * stride], 1000000000.0, &in->angular_acceleration_x);
+    outside |= read_centred(x[17 * stride], 1000000000.0, &in->angular_acceleration_y);
+    outside |= read_centred(x[18 * stride], 1000000000.0, &in->angular_acceleration_z);
 
     /* antenna [m, in b] */
-    outside |= take_centred(x[19 * stride], 50.0, &in->antenna_x);
-    outside |= take_centred(x[20 * stride], 50.0, &in->antenna_y);
-    outside |= take_centred(x[21 * stride], 50.0, &in->antenna_z);
+    outside |= read_centred(x[19 * stride], 50.0, &in->antenna_x);
+    outside |= read_centred(x[20 * stride], 50.0, &in->antenna_y);
+    outside |= read_centred(x[21 * stride], 50.0, &in->antenna_z);
 
     /* position [m, in l] */
-    outside |= take_centred(y[0], 1000000.0, &in->y_position_x);
-    outside |= take_centred(y[stride], 1000000.0, &in->y_position_y);
-    outside |= take_centred(y[2 * stride], 1000000.0, &in->y_position_z);
+    outside |= read_centred(y[0], 1000000.0, &in->y_position_x);
+    outside |= read_centred(y[stride], 1000000.0, &in->y_position_y);
+    outside |= read_centred(y[2 * stride], 1000000.0, &in->y_position_z);
 
     /* velocity [m/s, in l] */
-    outside |= take_centred(y[3 * stride], 1000000000.0, &in->y_velocity_x);
-    outside |= take_centred(y[4 * stride], 1000000000.0, &in->y_velocity_y);
-    outside |= take_centred(y[5 * stride], 1000000000.0, &in->y_velocity_z);
+    outside |= read_centred(y[3 * stride], 1000000000.0, &in->y_velocity_x);
+    outside |= read_centred(y[4 * stride], 1000000000.0, &in->y_velocity_y);
+    outside |= read_centred(y[5 * stride], 1000000000.0, &in->y_velocity_z);
 
     /* acceleration [m/s^2, in l] */
-    outside |= take_centred(y[6 * stride], 1000000000.0, &in->y_acceleration_x);
-    outside |= take_centred(y[7 * stride], 1000000000.0, &in->y_acceleration_y);
-    outside |= take_centred(y[8 * stride], 1000000000.0, &in->y_acceleration_z);
+    outside |= read_centred(y[6 * stride], 1000000000.0, &in->y_acceleration_x);
+    outside |= read_centred(y[7 * stride], 1000000000.0, &in->y_acceleration_y);
+    outside |= read_centred(y[8 * stride], 1000000000.0, &in->y_acceleration_z);
 
     /* attitude [b -> l] */
     outside |= take_centred(y[9 * stride], 1.00001, &in->y_attitude_w);
@@ -110,19 +110,19 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t local_load_lane(
         in->y_attitude_z, 1.0e-05);
 
     /* angular_rate [rad/s, in l] */
-    outside |= take_centred(y[13 * stride], 1000000000.0, &in->y_angular_rate_x);
-    outside |= take_centred(y[14 * stride], 1000000000.0, &in->y_angular_rate_y);
-    outside |= take_centred(y[15 * stride], 1000000000.0, &in->y_angular_rate_z);
+    outside |= read_centred(y[13 * stride], 1000000000.0, &in->y_angular_rate_x);
+    outside |= read_centred(y[14 * stride], 1000000000.0, &in->y_angular_rate_y);
+    outside |= read_centred(y[15 * stride], 1000000000.0, &in->y_angular_rate_z);
 
     /* angular_acceleration [rad/s^2, in l] */
-    outside |= take_centred(y[16 * stride], 1000000000.0, &in->y_angular_acceleration_x);
-    outside |= take_centred(y[17 * stride], 1000000000.0, &in->y_angular_acceleration_y);
-    outside |= take_centred(y[18 * stride], 1000000000.0, &in->y_angular_acceleration_z);
+    outside |= read_centred(y[16 * stride], 1000000000.0, &in->y_angular_acceleration_x);
+    outside |= read_centred(y[17 * stride], 1000000000.0, &in->y_angular_acceleration_y);
+    outside |= read_centred(y[18 * stride], 1000000000.0, &in->y_angular_acceleration_z);
 
     /* antenna [m, in b] */
-    outside |= take_centred(y[19 * stride], 50.0, &in->y_antenna_x);
-    outside |= take_centred(y[20 * stride], 50.0, &in->y_antenna_y);
-    outside |= take_centred(y[21 * stride], 50.0, &in->y_antenna_z);
+    outside |= read_centred(y[19 * stride], 50.0, &in->y_antenna_x);
+    outside |= read_centred(y[20 * stride], 50.0, &in->y_antenna_y);
+    outside |= read_centred(y[21 * stride], 50.0, &in->y_antenna_z);
 
     return ((ekf_cal_gps_flag_t)EKF_CAL_GPS_RANGE * outside) +
         ((ekf_cal_gps_flag_t)EKF_CAL_GPS_QNORM * (skewed & ~outside));
@@ -136,50 +136,50 @@ EKF_CAL_GPS_INLINE void local_copy(
     local_input_t *in)
 {
 #ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
-    (void)take_centred(x[0], 1000000.0, &in->position_x);
-    (void)take_centred(x[stride], 1000000.0, &in->position_y);
-    (void)take_centred(x[2 * stride], 1000000.0, &in->position_z);
-    (void)take_centred(x[3 * stride], 1000000000.0, &in->velocity_x);
-    (void)take_centred(x[4 * stride], 1000000000.0, &in->velocity_y);
-    (void)take_centred(x[5 * stride], 1000000000.0, &in->velocity_z);
-    (void)take_centred(x[6 * stride], 1000000000.0, &in->acceleration_x);
-    (void)take_centred(x[7 * stride], 1000000000.0, &in->acceleration_y);
-    (void)take_centred(x[8 * stride], 1000000000.0, &in->acceleration_z);
+    (void)read_centred(x[0], 1000000.0, &in->position_x);
+    (void)read_centred(x[stride], 1000000.0, &in->position_y);
+    (void)read_centred(x[2 * stride], 1000000.0, &in->position_z);
+    (void)read_centred(x[3 * stride], 1000000000.0, &in->velocity_x);
+    (void)read_centred(x[4 * stride], 1000000000.0, &in->velocity_y);
+    (void)read_centred(x[5 * stride], 1000000000.0, &in->velocity_z);
+    (void)read_centred(x[6 * stride], 1000000000.0, &in->acceleration_x);
+    (void)read_centred(x[7 * stride], 1000000000.0, &in->acceleration_y);
+    (void)read_centred(x[8 * stride], 1000000000.0, &in->acceleration_z);
     (void)take_centred(x[9 * stride], 1.00001, &in->attitude_w);
     (void)take_centred(x[10 * stride], 1.00001, &in->attitude_x);
     (void)take_centred(x[11 * stride], 1.00001, &in->attitude_y);
     (void)take_centred(x[12 * stride], 1.00001, &in->attitude_z);
-    (void)take_centred(x[13 * stride], 1000000000.0, &in->angular_rate_x);
-    (void)take_centred(x[14 * stride], 1000000000.0, &in->angular_rate_y);
-    (void)take_centred(x[15 * stride], 1000000000.0, &in->angular_rate_z);
-    (void)take_centred(x[16 * stride], 1000000000.0, &in->angular_acceleration_x);
-    (void)take_centred(x[17 * stride], 1000000000.0, &in->angular_acceleration_y);
-    (void)take_centred(x[18 * stride], 1000000000.0, &in->angular_acceleration_z);
-    (void)take_centred(x[19 * stride], 50.0, &in->antenna_x);
-    (void)take_centred(x[20 * stride], 50.0, &in->antenna_y);
-    (void)take_centred(x[21 * stride], 50.0, &in->antenna_z);
-    (void)take_centred(y[0], 1000000.0, &in->y_position_x);
-    (void)take_centred(y[stride], 1000000.0, &in->y_position_y);
-    (void)take_centred(y[2 * stride], 1000000.0, &in->y_position_z);
-    (void)take_centred(y[3 * stride], 1000000000.0, &in->y_velocity_x);
-    (void)take_centred(y[4 * stride], 1000000000.0, &in->y_velocity_y);
-    (void)take_centred(y[5 * stride], 1000000000.0, &in->y_velocity_z);
-    (void)take_centred(y[6 * stride], 1000000000.0, &in->y_acceleration_x);
-    (void)take_centred(y[7 * stride], 1000000000.0, &in->y_acceleration_y);
-    (void)take_centred(y[8 * stride], 1000000000.0, &in->y_acceleration_z);
+    (void)read_centred(x[13 * stride], 1000000000.0, &in->angular_rate_x);
+    (void)read_centred(x[14 * stride], 1000000000.0, &in->angular_rate_y);
+    (void)read_centred(x[15 * stride], 1000000000.0, &in->angular_rate_z);
+    (void)read_centred(x[16 * stride], 1000000000.0, &in->angular_acceleration_x);
+    (void)read_centred(x[17 * stride], 1000000000.0, &in->angular_acceleration_y);
+    (void)read_centred(x[18 * stride], 1000000000.0, &in->angular_acceleration_z);
+    (void)read_centred(x[19 * stride], 50.0, &in->antenna_x);
+    (void)read_centred(x[20 * stride], 50.0, &in->antenna_y);
+    (void)read_centred(x[21 * stride], 50.0, &in->antenna_z);
+    (void)read_centred(y[0], 1000000.0, &in->y_position_x);
+    (void)read_centred(y[stride], 1000000.0, &in->y_position_y);
+    (void)read_centred(y[2 * stride], 1000000.0, &in->y_position_z);
+    (void)read_centred(y[3 * stride], 1000000000.0, &in->y_velocity_x);
+    (void)read_centred(y[4 * stride], 1000000000.0, &in->y_velocity_y);
+    (void)read_centred(y[5 * stride], 1000000000.0, &in->y_velocity_z);
+    (void)read_centred(y[6 * stride], 1000000000.0, &in->y_acceleration_x);
+    (void)read_centred(y[7 * stride], 1000000000.0, &in->y_acceleration_y);
+    (void)read_centred(y[8 * stride], 1000000000.0, &in->y_acceleration_z);
     (void)take_centred(y[9 * stride], 1.00001, &in->y_attitude_w);
     (void)take_centred(y[10 * stride], 1.00001, &in->y_attitude_x);
     (void)take_centred(y[11 * stride], 1.00001, &in->y_attitude_y);
     (void)take_centred(y[12 * stride], 1.00001, &in->y_attitude_z);
-    (void)take_centred(y[13 * stride], 1000000000.0, &in->y_angular_rate_x);
-    (void)take_centred(y[14 * stride], 1000000000.0, &in->y_angular_rate_y);
-    (void)take_centred(y[15 * stride], 1000000000.0, &in->y_angular_rate_z);
-    (void)take_centred(y[16 * stride], 1000000000.0, &in->y_angular_acceleration_x);
-    (void)take_centred(y[17 * stride], 1000000000.0, &in->y_angular_acceleration_y);
-    (void)take_centred(y[18 * stride], 1000000000.0, &in->y_angular_acceleration_z);
-    (void)take_centred(y[19 * stride], 50.0, &in->y_antenna_x);
-    (void)take_centred(y[20 * stride], 50.0, &in->y_antenna_y);
-    (void)take_centred(y[21 * stride], 50.0, &in->y_antenna_z);
+    (void)read_centred(y[13 * stride], 1000000000.0, &in->y_angular_rate_x);
+    (void)read_centred(y[14 * stride], 1000000000.0, &in->y_angular_rate_y);
+    (void)read_centred(y[15 * stride], 1000000000.0, &in->y_angular_rate_z);
+    (void)read_centred(y[16 * stride], 1000000000.0, &in->y_angular_acceleration_x);
+    (void)read_centred(y[17 * stride], 1000000000.0, &in->y_angular_acceleration_y);
+    (void)read_centred(y[18 * stride], 1000000000.0, &in->y_angular_acceleration_z);
+    (void)read_centred(y[19 * stride], 50.0, &in->y_antenna_x);
+    (void)read_centred(y[20 * stride], 50.0, &in->y_antenna_y);
+    (void)read_centred(y[21 * stride], 50.0, &in->y_antenna_z);
 #else
     in->position_x = x[0];
     in->position_y = x[stride];

@@ -66,28 +66,28 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t local_fix_load_lane(
     ekf_cal_gps_flag_t outside = 0U;
 
     /* heading [rad, g -> l] */
-    outside |= take_centred(heading[0], 3.1416, &in->heading);
+    outside |= read_centred(heading[0], 3.1416, &in->heading);
 
     /* fix [rad] */
     outside |= take_centred(fix[0], 1.5690509975429023, &in->fix_latitude);
-    outside |= take_centred(fix[stride], 3.1416, &in->fix_longitude);
-    outside |= take_value(fix[2 * stride], -10000.0, 10000000.0, &in->fix_height);
+    outside |= read_centred(fix[stride], 3.1416, &in->fix_longitude);
+    outside |= read_value(fix[2 * stride], -10000.0, 10000000.0, &in->fix_height);
 
     /* reference [rad] */
     outside |= take_centred(reference_2[0], 1.5690509975429023, &in->reference_2_latitude);
-    outside |= take_centred(reference_2[stride], 3.1416, &in->reference_2_longitude);
-    outside |= take_value(reference_2[2 * stride], -10000.0, 10000000.0, &in->reference_2_height);
+    outside |= read_centred(reference_2[stride], 3.1416, &in->reference_2_longitude);
+    outside |= read_value(reference_2[2 * stride], -10000.0, 10000000.0, &in->reference_2_height);
 
     /* covariance */
-    outside |= take_centred(covariance_2[0], 1000000000000.0, &in->covariance_2_0);
-    outside |= take_centred(covariance_2[stride], 1000000000000.0, &in->covariance_2_1);
-    outside |= take_centred(covariance_2[2 * stride], 1000000000000.0, &in->covariance_2_2);
-    outside |= take_centred(covariance_2[3 * stride], 1000000000000.0, &in->covariance_2_3);
-    outside |= take_centred(covariance_2[4 * stride], 1000000000000.0, &in->covariance_2_4);
-    outside |= take_centred(covariance_2[5 * stride], 1000000000000.0, &in->covariance_2_5);
-    outside |= take_centred(covariance_2[6 * stride], 1000000000000.0, &in->covariance_2_6);
-    outside |= take_centred(covariance_2[7 * stride], 1000000000000.0, &in->covariance_2_7);
-    outside |= take_centred(covariance_2[8 * stride], 1000000000000.0, &in->covariance_2_8);
+    outside |= read_centred(covariance_2[0], 1000000000000.0, &in->covariance_2_0);
+    outside |= read_centred(covariance_2[stride], 1000000000000.0, &in->covariance_2_1);
+    outside |= read_centred(covariance_2[2 * stride], 1000000000000.0, &in->covariance_2_2);
+    outside |= read_centred(covariance_2[3 * stride], 1000000000000.0, &in->covariance_2_3);
+    outside |= read_centred(covariance_2[4 * stride], 1000000000000.0, &in->covariance_2_4);
+    outside |= read_centred(covariance_2[5 * stride], 1000000000000.0, &in->covariance_2_5);
+    outside |= read_centred(covariance_2[6 * stride], 1000000000000.0, &in->covariance_2_6);
+    outside |= read_centred(covariance_2[7 * stride], 1000000000000.0, &in->covariance_2_7);
+    outside |= read_centred(covariance_2[8 * stride], 1000000000000.0, &in->covariance_2_8);
 
     return (ekf_cal_gps_flag_t)EKF_CAL_GPS_RANGE * outside;
 }
@@ -102,22 +102,22 @@ EKF_CAL_GPS_INLINE void local_fix_copy(
     local_fix_input_t *in)
 {
 #ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
-    (void)take_centred(heading[0], 3.1416, &in->heading);
+    (void)read_centred(heading[0], 3.1416, &in->heading);
     (void)take_centred(fix[0], 1.5690509975429023, &in->fix_latitude);
-    (void)take_centred(fix[stride], 3.1416, &in->fix_longitude);
-    (void)take_value(fix[2 * stride], -10000.0, 10000000.0, &in->fix_height);
+    (void)read_centred(fix[stride], 3.1416, &in->fix_longitude);
+    (void)read_value(fix[2 * stride], -10000.0, 10000000.0, &in->fix_height);
     (void)take_centred(reference_2[0], 1.5690509975429023, &in->reference_2_latitude);
-    (void)take_centred(reference_2[stride], 3.1416, &in->reference_2_longitude);
-    (void)take_value(reference_2[2 * stride], -10000.0, 10000000.0, &in->reference_2_height);
-    (void)take_centred(covariance_2[0], 1000000000000.0, &in->covariance_2_0);
-    (void)take_centred(covariance_2[stride], 1000000000000.0, &in->covariance_2_1);
-    (void)take_centred(covariance_2[2 * stride], 1000000000000.0, &in->covariance_2_2);
-    (void)take_centred(covariance_2[3 * stride], 1000000000000.0, &in->covariance_2_3);
-    (void)take_centred(covariance_2[4 * stride], 1000000000000.0, &in->covariance_2_4);
-    (void)take_centred(covariance_2[5 * stride], 1000000000000.0, &in->covariance_2_5);
-    (void)take_centred(covariance_2[6 * stride], 1000000000000.0, &in->covariance_2_6);
-    (void)take_centred(covariance_2[7 * stride], 1000000000000.0, &in->covariance_2_7);
-    (void)take_centred(covariance_2[8 * stride], 1000000000000.0, &in->covariance_2_8);
+    (void)read_centred(reference_2[stride], 3.1416, &in->reference_2_longitude);
+    (void)read_value(reference_2[2 * stride], -10000.0, 10000000.0, &in->reference_2_height);
+    (void)read_centred(covariance_2[0], 1000000000000.0, &in->covariance_2_0);
+    (void)read_centred(covariance_2[stride], 1000000000000.0, &in->covariance_2_1);
+    (void)read_centred(covariance_2[2 * stride], 1000000000000.0, &in->covariance_2_2);
+    (void)read_centred(covariance_2[3 * stride], 1000000000000.0, &in->covariance_2_3);
+    (void)read_centred(covariance_2[4 * stride], 1000000000000.0, &in->covariance_2_4);
+    (void)read_centred(covariance_2[5 * stride], 1000000000000.0, &in->covariance_2_5);
+    (void)read_centred(covariance_2[6 * stride], 1000000000000.0, &in->covariance_2_6);
+    (void)read_centred(covariance_2[7 * stride], 1000000000000.0, &in->covariance_2_7);
+    (void)read_centred(covariance_2[8 * stride], 1000000000000.0, &in->covariance_2_8);
 #else
     in->heading = heading[0];
     in->fix_latitude = fix[0];

@@ -50,57 +50,57 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t retract_load_lane(
     ekf_cal_gps_flag_t skewed = 0U;
 
     /* position [m, in l] */
-    outside |= take_centred(x[0], 1000000.0, &in->position_x);
-    outside |= take_centred(x[stride], 1000000.0, &in->position_y);
-    outside |= take_centred(x[2 * stride], 1000000.0, &in->position_z);
+    outside |= read_centred(x[0], 1000000.0, &in->position_x);
+    outside |= read_centred(x[stride], 1000000.0, &in->position_y);
+    outside |= read_centred(x[2 * stride], 1000000.0, &in->position_z);
 
     /* velocity [m/s, in l] */
-    outside |= take_centred(x[3 * stride], 1000000000.0, &in->velocity_x);
-    outside |= take_centred(x[4 * stride], 1000000000.0, &in->velocity_y);
-    outside |= take_centred(x[5 * stride], 1000000000.0, &in->velocity_z);
+    outside |= read_centred(x[3 * stride], 1000000000.0, &in->velocity_x);
+    outside |= read_centred(x[4 * stride], 1000000000.0, &in->velocity_y);
+    outside |= read_centred(x[5 * stride], 1000000000.0, &in->velocity_z);
 
     /* acceleration [m/s^2, in l] */
-    outside |= take_centred(x[6 * stride], 1000000000.0, &in->acceleration_x);
-    outside |= take_centred(x[7 * stride], 1000000000.0, &in->acceleration_y);
-    outside |= take_centred(x[8 * stride], 1000000000.0, &in->acceleration_z);
+    outside |= read_centred(x[6 * stride], 1000000000.0, &in->acceleration_x);
+    outside |= read_centred(x[7 * stride], 1000000000.0, &in->acceleration_y);
+    outside |= read_centred(x[8 * stride], 1000000000.0, &in->acceleration_z);
 
     /* attitude [b -> l] */
-    outside |= take_centred(x[9 * stride], 1.00001, &in->attitude_w);
-    outside |= take_centred(x[10 * stride], 1.00001, &in->attitude_x);
-    outside |= take_centred(x[11 * stride], 1.00001, &in->attitude_y);
-    outside |= take_centred(x[12 * stride], 1.00001, &in->attitude_z);
+    outside |= read_centred(x[9 * stride], 1.00001, &in->attitude_w);
+    outside |= read_centred(x[10 * stride], 1.00001, &in->attitude_x);
+    outside |= read_centred(x[11 * stride], 1.00001, &in->attitude_y);
+    outside |= read_centred(x[12 * stride], 1.00001, &in->attitude_z);
     skewed |= is_skewed_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z,
         1.0e-05);
 
     /* angular_rate [rad/s, in l] */
-    outside |= take_centred(x[13 * stride], 1000000000.0, &in->angular_rate_x);
-    outside |= take_centred(x[14 * stride], 1000000000.0, &in->angular_rate_y);
-    outside |= take_centred(x[15 * stride], 1000000000.0, &in->angular_rate_z);
+    outside |= read_centred(x[13 * stride], 1000000000.0, &in->angular_rate_x);
+    outside |= read_centred(x[14 * stride], 1000000000.0, &in->angular_rate_y);
+    outside |= read_centred(x[15 * stride], 1000000000.0, &in->angular_rate_z);
 
     /* angular_acceleration [rad/s^2, in l] */
-    outside |= take_centred(x[16 * stride], 1000000000.0, &in->angular_acceleration_x);
-    outside |= take_centred(x[17 * stride], 1000000000.0, &in->angular_acceleration_y);
-    outside |= take_centred(x[18 * stride], 1000000000.0, &in->angular_acceleration_z);
+    outside |= read_centred(x[16 * stride], 1000000000.0, &in->angular_acceleration_x);
+    outside |= read_centred(x[17 * stride], 1000000000.0, &in->angular_acceleration_y);
+    outside |= read_centred(x[18 * stride], 1000000000.0, &in->angular_acceleration_z);
 
     /* antenna [m, in b] */
-    outside |= take_centred(x[19 * stride], 50.0, &in->antenna_x);
-    outside |= take_centred(x[20 * stride], 50.0, &in->antenna_y);
-    outside |= take_centred(x[21 * stride], 50.0, &in->antenna_z);
+    outside |= read_centred(x[19 * stride], 50.0, &in->antenna_x);
+    outside |= read_centred(x[20 * stride], 50.0, &in->antenna_y);
+    outside |= read_centred(x[21 * stride], 50.0, &in->antenna_z);
 
     /* position [m, in l] */
-    outside |= take_centred(d[0], 1000000000.0, &in->d_position_x);
-    outside |= take_centred(d[stride], 1000000000.0, &in->d_position_y);
-    outside |= take_centred(d[2 * stride], 1000000000.0, &in->d_position_z);
+    outside |= read_centred(d[0], 1000000000.0, &in->d_position_x);
+    outside |= read_centred(d[stride], 1000000000.0, &in->d_position_y);
+    outside |= read_centred(d[2 * stride], 1000000000.0, &in->d_position_z);
 
     /* velocity [m/s, in l] */
-    outside |= take_centred(d[3 * stride], 1000000000.0, &in->d_velocity_x);
-    outside |= take_centred(d[4 * stride], 1000000000.0, &in->d_velocity_y);
-    outside |= take_centred(d[5 * stride], 1000000000.0, &in->d_velocity_z);
+    outside |= read_centred(d[3 * stride], 1000000000.0, &in->d_velocity_x);
+    outside |= read_centred(d[4 * stride], 1000000000.0, &in->d_velocity_y);
+    outside |= read_centred(d[5 * stride], 1000000000.0, &in->d_velocity_z);
 
     /* acceleration [m/s^2, in l] */
-    outside |= take_centred(d[6 * stride], 1000000000.0, &in->d_acceleration_x);
-    outside |= take_centred(d[7 * stride], 1000000000.0, &in->d_acceleration_y);
-    outside |= take_centred(d[8 * stride], 1000000000.0, &in->d_acceleration_z);
+    outside |= read_centred(d[6 * stride], 1000000000.0, &in->d_acceleration_x);
+    outside |= read_centred(d[7 * stride], 1000000000.0, &in->d_acceleration_y);
+    outside |= read_centred(d[8 * stride], 1000000000.0, &in->d_acceleration_z);
 
     /* attitude [rad, in b] */
     outside |= take_centred(d[9 * stride], 6.0, &in->d_attitude_x);
@@ -108,19 +108,19 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_flag_t retract_load_lane(
     outside |= take_centred(d[11 * stride], 6.0, &in->d_attitude_z);
 
     /* angular_rate [rad/s, in l] */
-    outside |= take_centred(d[12 * stride], 1000000000.0, &in->d_angular_rate_x);
-    outside |= take_centred(d[13 * stride], 1000000000.0, &in->d_angular_rate_y);
-    outside |= take_centred(d[14 * stride], 1000000000.0, &in->d_angular_rate_z);
+    outside |= read_centred(d[12 * stride], 1000000000.0, &in->d_angular_rate_x);
+    outside |= read_centred(d[13 * stride], 1000000000.0, &in->d_angular_rate_y);
+    outside |= read_centred(d[14 * stride], 1000000000.0, &in->d_angular_rate_z);
 
     /* angular_acceleration [rad/s^2, in l] */
-    outside |= take_centred(d[15 * stride], 1000000000.0, &in->d_angular_acceleration_x);
-    outside |= take_centred(d[16 * stride], 1000000000.0, &in->d_angular_acceleration_y);
-    outside |= take_centred(d[17 * stride], 1000000000.0, &in->d_angular_acceleration_z);
+    outside |= read_centred(d[15 * stride], 1000000000.0, &in->d_angular_acceleration_x);
+    outside |= read_centred(d[16 * stride], 1000000000.0, &in->d_angular_acceleration_y);
+    outside |= read_centred(d[17 * stride], 1000000000.0, &in->d_angular_acceleration_z);
 
     /* antenna [m, in b] */
-    outside |= take_centred(d[18 * stride], 1000000000.0, &in->d_antenna_x);
-    outside |= take_centred(d[19 * stride], 1000000000.0, &in->d_antenna_y);
-    outside |= take_centred(d[20 * stride], 1000000000.0, &in->d_antenna_z);
+    outside |= read_centred(d[18 * stride], 1000000000.0, &in->d_antenna_x);
+    outside |= read_centred(d[19 * stride], 1000000000.0, &in->d_antenna_y);
+    outside |= read_centred(d[20 * stride], 1000000000.0, &in->d_antenna_z);
 
     return ((ekf_cal_gps_flag_t)EKF_CAL_GPS_RANGE * outside) +
         ((ekf_cal_gps_flag_t)EKF_CAL_GPS_QNORM * (skewed & ~outside));
@@ -134,49 +134,49 @@ EKF_CAL_GPS_INLINE void retract_copy(
     retract_input_t *in)
 {
 #ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
-    (void)take_centred(x[0], 1000000.0, &in->position_x);
-    (void)take_centred(x[stride], 1000000.0, &in->position_y);
-    (void)take_centred(x[2 * stride], 1000000.0, &in->position_z);
-    (void)take_centred(x[3 * stride], 1000000000.0, &in->velocity_x);
-    (void)take_centred(x[4 * stride], 1000000000.0, &in->velocity_y);
-    (void)take_centred(x[5 * stride], 1000000000.0, &in->velocity_z);
-    (void)take_centred(x[6 * stride], 1000000000.0, &in->acceleration_x);
-    (void)take_centred(x[7 * stride], 1000000000.0, &in->acceleration_y);
-    (void)take_centred(x[8 * stride], 1000000000.0, &in->acceleration_z);
-    (void)take_centred(x[9 * stride], 1.00001, &in->attitude_w);
-    (void)take_centred(x[10 * stride], 1.00001, &in->attitude_x);
-    (void)take_centred(x[11 * stride], 1.00001, &in->attitude_y);
-    (void)take_centred(x[12 * stride], 1.00001, &in->attitude_z);
-    (void)take_centred(x[13 * stride], 1000000000.0, &in->angular_rate_x);
-    (void)take_centred(x[14 * stride], 1000000000.0, &in->angular_rate_y);
-    (void)take_centred(x[15 * stride], 1000000000.0, &in->angular_rate_z);
-    (void)take_centred(x[16 * stride], 1000000000.0, &in->angular_acceleration_x);
-    (void)take_centred(x[17 * stride], 1000000000.0, &in->angular_acceleration_y);
-    (void)take_centred(x[18 * stride], 1000000000.0, &in->angular_acceleration_z);
-    (void)take_centred(x[19 * stride], 50.0, &in->antenna_x);
-    (void)take_centred(x[20 * stride], 50.0, &in->antenna_y);
-    (void)take_centred(x[21 * stride], 50.0, &in->antenna_z);
-    (void)take_centred(d[0], 1000000000.0, &in->d_position_x);
-    (void)take_centred(d[stride], 1000000000.0, &in->d_position_y);
-    (void)take_centred(d[2 * stride], 1000000000.0, &in->d_position_z);
-    (void)take_centred(d[3 * stride], 1000000000.0, &in->d_velocity_x);
-    (void)take_centred(d[4 * stride], 1000000000.0, &in->d_velocity_y);
-    (void)take_centred(d[5 * stride], 1000000000.0, &in->d_velocity_z);
-    (void)take_centred(d[6 * stride], 1000000000.0, &in->d_acceleration_x);
-    (void)take_centred(d[7 * stride], 1000000000.0, &in->d_acceleration_y);
-    (void)take_centred(d[8 * stride], 1000000000.0, &in->d_acceleration_z);
+    (void)read_centred(x[0], 1000000.0, &in->position_x);
+    (void)read_centred(x[stride], 1000000.0, &in->position_y);
+    (void)read_centred(x[2 * stride], 1000000.0, &in->position_z);
+    (void)read_centred(x[3 * stride], 1000000000.0, &in->velocity_x);
+    (void)read_centred(x[4 * stride], 1000000000.0, &in->velocity_y);
+    (void)read_centred(x[5 * stride], 1000000000.0, &in->velocity_z);
+    (void)read_centred(x[6 * stride], 1000000000.0, &in->acceleration_x);
+    (void)read_centred(x[7 * stride], 1000000000.0, &in->acceleration_y);
+    (void)read_centred(x[8 * stride], 1000000000.0, &in->acceleration_z);
+    (void)read_centred(x[9 * stride], 1.00001, &in->attitude_w);
+    (void)read_centred(x[10 * stride], 1.00001, &in->attitude_x);
+    (void)read_centred(x[11 * stride], 1.00001, &in->attitude_y);
+    (void)read_centred(x[12 * stride], 1.00001, &in->attitude_z);
+    (void)read_centred(x[13 * stride], 1000000000.0, &in->angular_rate_x);
+    (void)read_centred(x[14 * stride], 1000000000.0, &in->angular_rate_y);
+    (void)read_centred(x[15 * stride], 1000000000.0, &in->angular_rate_z);
+    (void)read_centred(x[16 * stride], 1000000000.0, &in->angular_acceleration_x);
+    (void)read_centred(x[17 * stride], 1000000000.0, &in->angular_acceleration_y);
+    (void)read_centred(x[18 * stride], 1000000000.0, &in->angular_acceleration_z);
+    (void)read_centred(x[19 * stride], 50.0, &in->antenna_x);
+    (void)read_centred(x[20 * stride], 50.0, &in->antenna_y);
+    (void)read_centred(x[21 * stride], 50.0, &in->antenna_z);
+    (void)read_centred(d[0], 1000000000.0, &in->d_position_x);
+    (void)read_centred(d[stride], 1000000000.0, &in->d_position_y);
+    (void)read_centred(d[2 * stride], 1000000000.0, &in->d_position_z);
+    (void)read_centred(d[3 * stride], 1000000000.0, &in->d_velocity_x);
+    (void)read_centred(d[4 * stride], 1000000000.0, &in->d_velocity_y);
+    (void)read_centred(d[5 * stride], 1000000000.0, &in->d_velocity_z);
+    (void)read_centred(d[6 * stride], 1000000000.0, &in->d_acceleration_x);
+    (void)read_centred(d[7 * stride], 1000000000.0, &in->d_acceleration_y);
+    (void)read_centred(d[8 * stride], 1000000000.0, &in->d_acceleration_z);
     (void)take_centred(d[9 * stride], 6.0, &in->d_attitude_x);
     (void)take_centred(d[10 * stride], 6.0, &in->d_attitude_y);
     (void)take_centred(d[11 * stride], 6.0, &in->d_attitude_z);
-    (void)take_centred(d[12 * stride], 1000000000.0, &in->d_angular_rate_x);
-    (void)take_centred(d[13 * stride], 1000000000.0, &in->d_angular_rate_y);
-    (void)take_centred(d[14 * stride], 1000000000.0, &in->d_angular_rate_z);
-    (void)take_centred(d[15 * stride], 1000000000.0, &in->d_angular_acceleration_x);
-    (void)take_centred(d[16 * stride], 1000000000.0, &in->d_angular_acceleration_y);
-    (void)take_centred(d[17 * stride], 1000000000.0, &in->d_angular_acceleration_z);
-    (void)take_centred(d[18 * stride], 1000000000.0, &in->d_antenna_x);
-    (void)take_centred(d[19 * stride], 1000000000.0, &in->d_antenna_y);
-    (void)take_centred(d[20 * stride], 1000000000.0, &in->d_antenna_z);
+    (void)read_centred(d[12 * stride], 1000000000.0, &in->d_angular_rate_x);
+    (void)read_centred(d[13 * stride], 1000000000.0, &in->d_angular_rate_y);
+    (void)read_centred(d[14 * stride], 1000000000.0, &in->d_angular_rate_z);
+    (void)read_centred(d[15 * stride], 1000000000.0, &in->d_angular_acceleration_x);
+    (void)read_centred(d[16 * stride], 1000000000.0, &in->d_angular_acceleration_y);
+    (void)read_centred(d[17 * stride], 1000000000.0, &in->d_angular_acceleration_z);
+    (void)read_centred(d[18 * stride], 1000000000.0, &in->d_antenna_x);
+    (void)read_centred(d[19 * stride], 1000000000.0, &in->d_antenna_y);
+    (void)read_centred(d[20 * stride], 1000000000.0, &in->d_antenna_z);
 #else
     in->position_x = x[0];
     in->position_y = x[stride];

@@ -45,20 +45,20 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t local_load_lane(
     farrell_tightly_coupled_flag_t skewed = 0U;
 
     /* dp [m, in n] */
-    outside |= take_centred(x[0], 1000000.0, &in->dp_x);
-    outside |= take_centred(x[stride], 1000000.0, &in->dp_y);
-    outside |= take_centred(x[2 * stride], 1000000.0, &in->dp_z);
+    outside |= read_centred(x[0], 1000000.0, &in->dp_x);
+    outside |= read_centred(x[stride], 1000000.0, &in->dp_y);
+    outside |= read_centred(x[2 * stride], 1000000.0, &in->dp_z);
 
     /* b_u [m] */
-    outside |= take_centred(x[3 * stride], 100000000.0, &in->b_u);
+    outside |= read_centred(x[3 * stride], 100000000.0, &in->b_u);
 
     /* dv [m/s, in n] */
-    outside |= take_centred(x[4 * stride], 1000000000.0, &in->dv_x);
-    outside |= take_centred(x[5 * stride], 1000000000.0, &in->dv_y);
-    outside |= take_centred(x[6 * stride], 1000000000.0, &in->dv_z);
+    outside |= read_centred(x[4 * stride], 1000000000.0, &in->dv_x);
+    outside |= read_centred(x[5 * stride], 1000000000.0, &in->dv_y);
+    outside |= read_centred(x[6 * stride], 1000000000.0, &in->dv_z);
 
     /* b_u_dot [m/s] */
-    outside |= take_centred(x[7 * stride], 1000000000.0, &in->b_u_dot);
+    outside |= read_centred(x[7 * stride], 1000000000.0, &in->b_u_dot);
 
     /* drho [b -> n] */
     outside |= take_centred(x[8 * stride], 1.00001, &in->drho_w);
@@ -68,30 +68,30 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t local_load_lane(
     skewed |= is_skewed_quaternion(in->drho_w, in->drho_x, in->drho_y, in->drho_z, 1.0e-05);
 
     /* x_a [m/s^2, in b] */
-    outside |= take_centred(x[12 * stride], 1000000000.0, &in->x_a_x);
-    outside |= take_centred(x[13 * stride], 1000000000.0, &in->x_a_y);
-    outside |= take_centred(x[14 * stride], 1000000000.0, &in->x_a_z);
+    outside |= read_centred(x[12 * stride], 1000000000.0, &in->x_a_x);
+    outside |= read_centred(x[13 * stride], 1000000000.0, &in->x_a_y);
+    outside |= read_centred(x[14 * stride], 1000000000.0, &in->x_a_z);
 
     /* x_g [rad/s, in b] */
-    outside |= take_centred(x[15 * stride], 1000000000.0, &in->x_g_x);
-    outside |= take_centred(x[16 * stride], 1000000000.0, &in->x_g_y);
-    outside |= take_centred(x[17 * stride], 1000000000.0, &in->x_g_z);
+    outside |= read_centred(x[15 * stride], 1000000000.0, &in->x_g_x);
+    outside |= read_centred(x[16 * stride], 1000000000.0, &in->x_g_y);
+    outside |= read_centred(x[17 * stride], 1000000000.0, &in->x_g_z);
 
     /* dp [m, in n] */
-    outside |= take_centred(y[0], 1000000.0, &in->y_dp_x);
-    outside |= take_centred(y[stride], 1000000.0, &in->y_dp_y);
-    outside |= take_centred(y[2 * stride], 1000000.0, &in->y_dp_z);
+    outside |= read_centred(y[0], 1000000.0, &in->y_dp_x);
+    outside |= read_centred(y[stride], 1000000.0, &in->y_dp_y);
+    outside |= read_centred(y[2 * stride], 1000000.0, &in->y_dp_z);
 
     /* b_u [m] */
-    outside |= take_centred(y[3 * stride], 100000000.0, &in->y_b_u);
+    outside |= read_centred(y[3 * stride], 100000000.0, &in->y_b_u);
 
     /* dv [m/s, in n] */
-    outside |= take_centred(y[4 * stride], 1000000000.0, &in->y_dv_x);
-    outside |= take_centred(y[5 * stride], 1000000000.0, &in->y_dv_y);
-    outside |= take_centred(y[6 * stride], 1000000000.0, &in->y_dv_z);
+    outside |= read_centred(y[4 * stride], 1000000000.0, &in->y_dv_x);
+    outside |= read_centred(y[5 * stride], 1000000000.0, &in->y_dv_y);
+    outside |= read_centred(y[6 * stride], 1000000000.0, &in->y_dv_z);
 
     /* b_u_dot [m/s] */
-    outside |= take_centred(y[7 * stride], 1000000000.0, &in->y_b_u_dot);
+    outside |= read_centred(y[7 * stride], 1000000000.0, &in->y_b_u_dot);
 
     /* drho [b -> n] */
     outside |= take_centred(y[8 * stride], 1.00001, &in->y_drho_w);
@@ -101,14 +101,14 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t local_load_lane(
     skewed |= is_skewed_quaternion(in->y_drho_w, in->y_drho_x, in->y_drho_y, in->y_drho_z, 1.0e-05);
 
     /* x_a [m/s^2, in b] */
-    outside |= take_centred(y[12 * stride], 1000000000.0, &in->y_x_a_x);
-    outside |= take_centred(y[13 * stride], 1000000000.0, &in->y_x_a_y);
-    outside |= take_centred(y[14 * stride], 1000000000.0, &in->y_x_a_z);
+    outside |= read_centred(y[12 * stride], 1000000000.0, &in->y_x_a_x);
+    outside |= read_centred(y[13 * stride], 1000000000.0, &in->y_x_a_y);
+    outside |= read_centred(y[14 * stride], 1000000000.0, &in->y_x_a_z);
 
     /* x_g [rad/s, in b] */
-    outside |= take_centred(y[15 * stride], 1000000000.0, &in->y_x_g_x);
-    outside |= take_centred(y[16 * stride], 1000000000.0, &in->y_x_g_y);
-    outside |= take_centred(y[17 * stride], 1000000000.0, &in->y_x_g_z);
+    outside |= read_centred(y[15 * stride], 1000000000.0, &in->y_x_g_x);
+    outside |= read_centred(y[16 * stride], 1000000000.0, &in->y_x_g_y);
+    outside |= read_centred(y[17 * stride], 1000000000.0, &in->y_x_g_z);
 
     return ((farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_RANGE * outside) +
         ((farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_QNORM * (skewed & ~outside));
@@ -122,42 +122,42 @@ FARRELL_TIGHTLY_COUPLED_INLINE void local_copy(
     local_input_t *in)
 {
 #ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
-    (void)take_centred(x[0], 1000000.0, &in->dp_x);
-    (void)take_centred(x[stride], 1000000.0, &in->dp_y);
-    (void)take_centred(x[2 * stride], 1000000.0, &in->dp_z);
-    (void)take_centred(x[3 * stride], 100000000.0, &in->b_u);
-    (void)take_centred(x[4 * stride], 1000000000.0, &in->dv_x);
-    (void)take_centred(x[5 * stride], 1000000000.0, &in->dv_y);
-    (void)take_centred(x[6 * stride], 1000000000.0, &in->dv_z);
-    (void)take_centred(x[7 * stride], 1000000000.0, &in->b_u_dot);
+    (void)read_centred(x[0], 1000000.0, &in->dp_x);
+    (void)read_centred(x[stride], 1000000.0, &in->dp_y);
+    (void)read_centred(x[2 * stride], 1000000.0, &in->dp_z);
+    (void)read_centred(x[3 * stride], 100000000.0, &in->b_u);
+    (void)read_centred(x[4 * stride], 1000000000.0, &in->dv_x);
+    (void)read_centred(x[5 * stride], 1000000000.0, &in->dv_y);
+    (void)read_centred(x[6 * stride], 1000000000.0, &in->dv_z);
+    (void)read_centred(x[7 * stride], 1000000000.0, &in->b_u_dot);
     (void)take_centred(x[8 * stride], 1.00001, &in->drho_w);
     (void)take_centred(x[9 * stride], 1.00001, &in->drho_x);
     (void)take_centred(x[10 * stride], 1.00001, &in->drho_y);
     (void)take_centred(x[11 * stride], 1.00001, &in->drho_z);
-    (void)take_centred(x[12 * stride], 1000000000.0, &in->x_a_x);
-    (void)take_centred(x[13 * stride], 1000000000.0, &in->x_a_y);
-    (void)take_centred(x[14 * stride], 1000000000.0, &in->x_a_z);
-    (void)take_centred(x[15 * stride], 1000000000.0, &in->x_g_x);
-    (void)take_centred(x[16 * stride], 1000000000.0, &in->x_g_y);
-    (void)take_centred(x[17 * stride], 1000000000.0, &in->x_g_z);
-    (void)take_centred(y[0], 1000000.0, &in->y_dp_x);
-    (void)take_centred(y[stride], 1000000.0, &in->y_dp_y);
-    (void)take_centred(y[2 * stride], 1000000.0, &in->y_dp_z);
-    (void)take_centred(y[3 * stride], 100000000.0, &in->y_b_u);
-    (void)take_centred(y[4 * stride], 1000000000.0, &in->y_dv_x);
-    (void)take_centred(y[5 * stride], 1000000000.0, &in->y_dv_y);
-    (void)take_centred(y[6 * stride], 1000000000.0, &in->y_dv_z);
-    (void)take_centred(y[7 * stride], 1000000000.0, &in->y_b_u_dot);
+    (void)read_centred(x[12 * stride], 1000000000.0, &in->x_a_x);
+    (void)read_centred(x[13 * stride], 1000000000.0, &in->x_a_y);
+    (void)read_centred(x[14 * stride], 1000000000.0, &in->x_a_z);
+    (void)read_centred(x[15 * stride], 1000000000.0, &in->x_g_x);
+    (void)read_centred(x[16 * stride], 1000000000.0, &in->x_g_y);
+    (void)read_centred(x[17 * stride], 1000000000.0, &in->x_g_z);
+    (void)read_centred(y[0], 1000000.0, &in->y_dp_x);
+    (void)read_centred(y[stride], 1000000.0, &in->y_dp_y);
+    (void)read_centred(y[2 * stride], 1000000.0, &in->y_dp_z);
+    (void)read_centred(y[3 * stride], 100000000.0, &in->y_b_u);
+    (void)read_centred(y[4 * stride], 1000000000.0, &in->y_dv_x);
+    (void)read_centred(y[5 * stride], 1000000000.0, &in->y_dv_y);
+    (void)read_centred(y[6 * stride], 1000000000.0, &in->y_dv_z);
+    (void)read_centred(y[7 * stride], 1000000000.0, &in->y_b_u_dot);
     (void)take_centred(y[8 * stride], 1.00001, &in->y_drho_w);
     (void)take_centred(y[9 * stride], 1.00001, &in->y_drho_x);
     (void)take_centred(y[10 * stride], 1.00001, &in->y_drho_y);
     (void)take_centred(y[11 * stride], 1.00001, &in->y_drho_z);
-    (void)take_centred(y[12 * stride], 1000000000.0, &in->y_x_a_x);
-    (void)take_centred(y[13 * stride], 1000000000.0, &in->y_x_a_y);
-    (void)take_centred(y[14 * stride], 1000000000.0, &in->y_x_a_z);
-    (void)take_centred(y[15 * stride], 1000000000.0, &in->y_x_g_x);
-    (void)take_centred(y[16 * stride], 1000000000.0, &in->y_x_g_y);
-    (void)take_centred(y[17 * stride], 1000000000.0, &in->y_x_g_z);
+    (void)read_centred(y[12 * stride], 1000000000.0, &in->y_x_a_x);
+    (void)read_centred(y[13 * stride], 1000000000.0, &in->y_x_a_y);
+    (void)read_centred(y[14 * stride], 1000000000.0, &in->y_x_a_z);
+    (void)read_centred(y[15 * stride], 1000000000.0, &in->y_x_g_x);
+    (void)read_centred(y[16 * stride], 1000000000.0, &in->y_x_g_y);
+    (void)read_centred(y[17 * stride], 1000000000.0, &in->y_x_g_z);
 #else
     in->dp_x = x[0];
     in->dp_y = x[stride];

@@ -46,53 +46,53 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t retract_load_lane(
     farrell_tightly_coupled_flag_t skewed = 0U;
 
     /* dp [m, in n] */
-    outside |= take_centred(x[0], 1000000.0, &in->dp_x);
-    outside |= take_centred(x[stride], 1000000.0, &in->dp_y);
-    outside |= take_centred(x[2 * stride], 1000000.0, &in->dp_z);
+    outside |= read_centred(x[0], 1000000.0, &in->dp_x);
+    outside |= read_centred(x[stride], 1000000.0, &in->dp_y);
+    outside |= read_centred(x[2 * stride], 1000000.0, &in->dp_z);
 
     /* b_u [m] */
-    outside |= take_centred(x[3 * stride], 100000000.0, &in->b_u);
+    outside |= read_centred(x[3 * stride], 100000000.0, &in->b_u);
 
     /* dv [m/s, in n] */
-    outside |= take_centred(x[4 * stride], 1000000000.0, &in->dv_x);
-    outside |= take_centred(x[5 * stride], 1000000000.0, &in->dv_y);
-    outside |= take_centred(x[6 * stride], 1000000000.0, &in->dv_z);
+    outside |= read_centred(x[4 * stride], 1000000000.0, &in->dv_x);
+    outside |= read_centred(x[5 * stride], 1000000000.0, &in->dv_y);
+    outside |= read_centred(x[6 * stride], 1000000000.0, &in->dv_z);
 
     /* b_u_dot [m/s] */
-    outside |= take_centred(x[7 * stride], 1000000000.0, &in->b_u_dot);
+    outside |= read_centred(x[7 * stride], 1000000000.0, &in->b_u_dot);
 
     /* drho [b -> n] */
-    outside |= take_centred(x[8 * stride], 1.00001, &in->drho_w);
-    outside |= take_centred(x[9 * stride], 1.00001, &in->drho_x);
-    outside |= take_centred(x[10 * stride], 1.00001, &in->drho_y);
-    outside |= take_centred(x[11 * stride], 1.00001, &in->drho_z);
+    outside |= read_centred(x[8 * stride], 1.00001, &in->drho_w);
+    outside |= read_centred(x[9 * stride], 1.00001, &in->drho_x);
+    outside |= read_centred(x[10 * stride], 1.00001, &in->drho_y);
+    outside |= read_centred(x[11 * stride], 1.00001, &in->drho_z);
     skewed |= is_skewed_quaternion(in->drho_w, in->drho_x, in->drho_y, in->drho_z, 1.0e-05);
 
     /* x_a [m/s^2, in b] */
-    outside |= take_centred(x[12 * stride], 1000000000.0, &in->x_a_x);
-    outside |= take_centred(x[13 * stride], 1000000000.0, &in->x_a_y);
-    outside |= take_centred(x[14 * stride], 1000000000.0, &in->x_a_z);
+    outside |= read_centred(x[12 * stride], 1000000000.0, &in->x_a_x);
+    outside |= read_centred(x[13 * stride], 1000000000.0, &in->x_a_y);
+    outside |= read_centred(x[14 * stride], 1000000000.0, &in->x_a_z);
 
     /* x_g [rad/s, in b] */
-    outside |= take_centred(x[15 * stride], 1000000000.0, &in->x_g_x);
-    outside |= take_centred(x[16 * stride], 1000000000.0, &in->x_g_y);
-    outside |= take_centred(x[17 * stride], 1000000000.0, &in->x_g_z);
+    outside |= read_centred(x[15 * stride], 1000000000.0, &in->x_g_x);
+    outside |= read_centred(x[16 * stride], 1000000000.0, &in->x_g_y);
+    outside |= read_centred(x[17 * stride], 1000000000.0, &in->x_g_z);
 
     /* dp [m, in n] */
-    outside |= take_centred(d[0], 1000000000.0, &in->d_dp_x);
-    outside |= take_centred(d[stride], 1000000000.0, &in->d_dp_y);
-    outside |= take_centred(d[2 * stride], 1000000000.0, &in->d_dp_z);
+    outside |= read_centred(d[0], 1000000000.0, &in->d_dp_x);
+    outside |= read_centred(d[stride], 1000000000.0, &in->d_dp_y);
+    outside |= read_centred(d[2 * stride], 1000000000.0, &in->d_dp_z);
 
     /* b_u [m] */
-    outside |= take_centred(d[3 * stride], 1000000000.0, &in->d_b_u);
+    outside |= read_centred(d[3 * stride], 1000000000.0, &in->d_b_u);
 
     /* dv [m/s, in n] */
-    outside |= take_centred(d[4 * stride], 1000000000.0, &in->d_dv_x);
-    outside |= take_centred(d[5 * stride], 1000000000.0, &in->d_dv_y);
-    outside |= take_centred(d[6 * stride], 1000000000.0, &in->d_dv_z);
+    outside |= read_centred(d[4 * stride], 1000000000.0, &in->d_dv_x);
+    outside |= read_centred(d[5 * stride], 1000000000.0, &in->d_dv_y);
+    outside |= read_centred(d[6 * stride], 1000000000.0, &in->d_dv_z);
 
     /* b_u_dot [m/s] */
-    outside |= take_centred(d[7 * stride], 1000000000.0, &in->d_b_u_dot);
+    outside |= read_centred(d[7 * stride], 1000000000.0, &in->d_b_u_dot);
 
     /* drho [rad, in n] */
     outside |= take_centred(d[8 * stride], 6.0, &in->d_drho_x);
@@ -100,14 +100,14 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t retract_load_lane(
     outside |= take_centred(d[10 * stride], 6.0, &in->d_drho_z);
 
     /* x_a [m/s^2, in b] */
-    outside |= take_centred(d[11 * stride], 1000000000.0, &in->d_x_a_x);
-    outside |= take_centred(d[12 * stride], 1000000000.0, &in->d_x_a_y);
-    outside |= take_centred(d[13 * stride], 1000000000.0, &in->d_x_a_z);
+    outside |= read_centred(d[11 * stride], 1000000000.0, &in->d_x_a_x);
+    outside |= read_centred(d[12 * stride], 1000000000.0, &in->d_x_a_y);
+    outside |= read_centred(d[13 * stride], 1000000000.0, &in->d_x_a_z);
 
     /* x_g [rad/s, in b] */
-    outside |= take_centred(d[14 * stride], 1000000000.0, &in->d_x_g_x);
-    outside |= take_centred(d[15 * stride], 1000000000.0, &in->d_x_g_y);
-    outside |= take_centred(d[16 * stride], 1000000000.0, &in->d_x_g_z);
+    outside |= read_centred(d[14 * stride], 1000000000.0, &in->d_x_g_x);
+    outside |= read_centred(d[15 * stride], 1000000000.0, &in->d_x_g_y);
+    outside |= read_centred(d[16 * stride], 1000000000.0, &in->d_x_g_z);
 
     return ((farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_RANGE * outside) +
         ((farrell_tightly_coupled_flag_t)FARRELL_TIGHTLY_COUPLED_QNORM * (skewed & ~outside));
@@ -121,41 +121,41 @@ FARRELL_TIGHTLY_COUPLED_INLINE void retract_copy(
     retract_input_t *in)
 {
 #ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
-    (void)take_centred(x[0], 1000000.0, &in->dp_x);
-    (void)take_centred(x[stride], 1000000.0, &in->dp_y);
-    (void)take_centred(x[2 * stride], 1000000.0, &in->dp_z);
-    (void)take_centred(x[3 * stride], 100000000.0, &in->b_u);
-    (void)take_centred(x[4 * stride], 1000000000.0, &in->dv_x);
-    (void)take_centred(x[5 * stride], 1000000000.0, &in->dv_y);
-    (void)take_centred(x[6 * stride], 1000000000.0, &in->dv_z);
-    (void)take_centred(x[7 * stride], 1000000000.0, &in->b_u_dot);
-    (void)take_centred(x[8 * stride], 1.00001, &in->drho_w);
-    (void)take_centred(x[9 * stride], 1.00001, &in->drho_x);
-    (void)take_centred(x[10 * stride], 1.00001, &in->drho_y);
-    (void)take_centred(x[11 * stride], 1.00001, &in->drho_z);
-    (void)take_centred(x[12 * stride], 1000000000.0, &in->x_a_x);
-    (void)take_centred(x[13 * stride], 1000000000.0, &in->x_a_y);
-    (void)take_centred(x[14 * stride], 1000000000.0, &in->x_a_z);
-    (void)take_centred(x[15 * stride], 1000000000.0, &in->x_g_x);
-    (void)take_centred(x[16 * stride], 1000000000.0, &in->x_g_y);
-    (void)take_centred(x[17 * stride], 1000000000.0, &in->x_g_z);
-    (void)take_centred(d[0], 1000000000.0, &in->d_dp_x);
-    (void)take_centred(d[stride], 1000000000.0, &in->d_dp_y);
-    (void)take_centred(d[2 * stride], 1000000000.0, &in->d_dp_z);
-    (void)take_centred(d[3 * stride], 1000000000.0, &in->d_b_u);
-    (void)take_centred(d[4 * stride], 1000000000.0, &in->d_dv_x);
-    (void)take_centred(d[5 * stride], 1000000000.0, &in->d_dv_y);
-    (void)take_centred(d[6 * stride], 1000000000.0, &in->d_dv_z);
-    (void)take_centred(d[7 * stride], 1000000000.0, &in->d_b_u_dot);
+    (void)read_centred(x[0], 1000000.0, &in->dp_x);
+    (void)read_centred(x[stride], 1000000.0, &in->dp_y);
+    (void)read_centred(x[2 * stride], 1000000.0, &in->dp_z);
+    (void)read_centred(x[3 * stride], 100000000.0, &in->b_u);
+    (void)read_centred(x[4 * stride], 1000000000.0, &in->dv_x);
+    (void)read_centred(x[5 * stride], 1000000000.0, &in->dv_y);
+    (void)read_centred(x[6 * stride], 1000000000.0, &in->dv_z);
+    (void)read_centred(x[7 * stride], 1000000000.0, &in->b_u_dot);
+    (void)read_centred(x[8 * stride], 1.00001, &in->drho_w);
+    (void)read_centred(x[9 * stride], 1.00001, &in->drho_x);
+    (void)read_centred(x[10 * stride], 1.00001, &in->drho_y);
+    (void)read_centred(x[11 * stride], 1.00001, &in->drho_z);
+    (void)read_centred(x[12 * stride], 1000000000.0, &in->x_a_x);
+    (void)read_centred(x[13 * stride], 1000000000.0, &in->x_a_y);
+    (void)read_centred(x[14 * stride], 1000000000.0, &in->x_a_z);
+    (void)read_centred(x[15 * stride], 1000000000.0, &in->x_g_x);
+    (void)read_centred(x[16 * stride], 1000000000.0, &in->x_g_y);
+    (void)read_centred(x[17 * stride], 1000000000.0, &in->x_g_z);
+    (void)read_centred(d[0], 1000000000.0, &in->d_dp_x);
+    (void)read_centred(d[stride], 1000000000.0, &in->d_dp_y);
+    (void)read_centred(d[2 * stride], 1000000000.0, &in->d_dp_z);
+    (void)read_centred(d[3 * stride], 1000000000.0, &in->d_b_u);
+    (void)read_centred(d[4 * stride], 1000000000.0, &in->d_dv_x);
+    (void)read_centred(d[5 * stride], 1000000000.0, &in->d_dv_y);
+    (void)read_centred(d[6 * stride], 1000000000.0, &in->d_dv_z);
+    (void)read_centred(d[7 * stride], 1000000000.0, &in->d_b_u_dot);
     (void)take_centred(d[8 * stride], 6.0, &in->d_drho_x);
     (void)take_centred(d[9 * stride], 6.0, &in->d_drho_y);
     (void)take_centred(d[10 * stride], 6.0, &in->d_drho_z);
-    (void)take_centred(d[11 * stride], 1000000000.0, &in->d_x_a_x);
-    (void)take_centred(d[12 * stride], 1000000000.0, &in->d_x_a_y);
-    (void)take_centred(d[13 * stride], 1000000000.0, &in->d_x_a_z);
-    (void)take_centred(d[14 * stride], 1000000000.0, &in->d_x_g_x);
-    (void)take_centred(d[15 * stride], 1000000000.0, &in->d_x_g_y);
-    (void)take_centred(d[16 * stride], 1000000000.0, &in->d_x_g_z);
+    (void)read_centred(d[11 * stride], 1000000000.0, &in->d_x_a_x);
+    (void)read_centred(d[12 * stride], 1000000000.0, &in->d_x_a_y);
+    (void)read_centred(d[13 * stride], 1000000000.0, &in->d_x_a_z);
+    (void)read_centred(d[14 * stride], 1000000000.0, &in->d_x_g_x);
+    (void)read_centred(d[15 * stride], 1000000000.0, &in->d_x_g_y);
+    (void)read_centred(d[16 * stride], 1000000000.0, &in->d_x_g_z);
 #else
     in->dp_x = x[0];
     in->dp_y = x[stride];

@@ -92,27 +92,27 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t calc_force_load_lane(
     navtk_specific_force_flag_t skewed = 0U;
 
     /* dcm [s -> n] */
-    outside |= take_centred(dcm[0], 1.00001, &in->dcm_00);
-    outside |= take_centred(dcm[stride], 1.00001, &in->dcm_01);
-    outside |= take_centred(dcm[2 * stride], 1.00001, &in->dcm_02);
-    outside |= take_centred(dcm[3 * stride], 1.00001, &in->dcm_10);
-    outside |= take_centred(dcm[4 * stride], 1.00001, &in->dcm_11);
-    outside |= take_centred(dcm[5 * stride], 1.00001, &in->dcm_12);
-    outside |= take_centred(dcm[6 * stride], 1.00001, &in->dcm_20);
-    outside |= take_centred(dcm[7 * stride], 1.00001, &in->dcm_21);
-    outside |= take_centred(dcm[8 * stride], 1.00001, &in->dcm_22);
+    outside |= read_centred(dcm[0], 1.00001, &in->dcm_00);
+    outside |= read_centred(dcm[stride], 1.00001, &in->dcm_01);
+    outside |= read_centred(dcm[2 * stride], 1.00001, &in->dcm_02);
+    outside |= read_centred(dcm[3 * stride], 1.00001, &in->dcm_10);
+    outside |= read_centred(dcm[4 * stride], 1.00001, &in->dcm_11);
+    outside |= read_centred(dcm[5 * stride], 1.00001, &in->dcm_12);
+    outside |= read_centred(dcm[6 * stride], 1.00001, &in->dcm_20);
+    outside |= read_centred(dcm[7 * stride], 1.00001, &in->dcm_21);
+    outside |= read_centred(dcm[8 * stride], 1.00001, &in->dcm_22);
     skewed |= is_skewed_matrix(in->dcm_00, in->dcm_01, in->dcm_02, in->dcm_10, in->dcm_11,
         in->dcm_12, in->dcm_20, in->dcm_21, in->dcm_22, 1.0e-05);
 
     /* delta_theta [rad, in s] */
-    outside |= take_centred(delta_theta[0], 0.5, &in->delta_theta_x);
-    outside |= take_centred(delta_theta[stride], 0.5, &in->delta_theta_y);
-    outside |= take_centred(delta_theta[2 * stride], 0.5, &in->delta_theta_z);
+    outside |= read_centred(delta_theta[0], 0.5, &in->delta_theta_x);
+    outside |= read_centred(delta_theta[stride], 0.5, &in->delta_theta_y);
+    outside |= read_centred(delta_theta[2 * stride], 0.5, &in->delta_theta_z);
 
     /* delta_velocity [m/s, in s] */
-    outside |= take_centred(delta_velocity[0], 50.0, &in->delta_velocity_x);
-    outside |= take_centred(delta_velocity[stride], 50.0, &in->delta_velocity_y);
-    outside |= take_centred(delta_velocity[2 * stride], 50.0, &in->delta_velocity_z);
+    outside |= read_centred(delta_velocity[0], 50.0, &in->delta_velocity_x);
+    outside |= read_centred(delta_velocity[stride], 50.0, &in->delta_velocity_y);
+    outside |= read_centred(delta_velocity[2 * stride], 50.0, &in->delta_velocity_z);
 
     /* dt [s] */
     outside |= take_value(dt[0], 1.0e-05, 0.05, &in->dt);
@@ -131,21 +131,21 @@ NAVTK_SPECIFIC_FORCE_INLINE void calc_force_copy(
     calc_force_input_t *in)
 {
 #ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
-    (void)take_centred(dcm[0], 1.00001, &in->dcm_00);
-    (void)take_centred(dcm[stride], 1.00001, &in->dcm_01);
-    (void)take_centred(dcm[2 * stride], 1.00001, &in->dcm_02);
-    (void)take_centred(dcm[3 * stride], 1.00001, &in->dcm_10);
-    (void)take_centred(dcm[4 * stride], 1.00001, &in->dcm_11);
-    (void)take_centred(dcm[5 * stride], 1.00001, &in->dcm_12);
-    (void)take_centred(dcm[6 * stride], 1.00001, &in->dcm_20);
-    (void)take_centred(dcm[7 * stride], 1.00001, &in->dcm_21);
-    (void)take_centred(dcm[8 * stride], 1.00001, &in->dcm_22);
-    (void)take_centred(delta_theta[0], 0.5, &in->delta_theta_x);
-    (void)take_centred(delta_theta[stride], 0.5, &in->delta_theta_y);
-    (void)take_centred(delta_theta[2 * stride], 0.5, &in->delta_theta_z);
-    (void)take_centred(delta_velocity[0], 50.0, &in->delta_velocity_x);
-    (void)take_centred(delta_velocity[stride], 50.0, &in->delta_velocity_y);
-    (void)take_centred(delta_velocity[2 * stride], 50.0, &in->delta_velocity_z);
+    (void)read_centred(dcm[0], 1.00001, &in->dcm_00);
+    (void)read_centred(dcm[stride], 1.00001, &in->dcm_01);
+    (void)read_centred(dcm[2 * stride], 1.00001, &in->dcm_02);
+    (void)read_centred(dcm[3 * stride], 1.00001, &in->dcm_10);
+    (void)read_centred(dcm[4 * stride], 1.00001, &in->dcm_11);
+    (void)read_centred(dcm[5 * stride], 1.00001, &in->dcm_12);
+    (void)read_centred(dcm[6 * stride], 1.00001, &in->dcm_20);
+    (void)read_centred(dcm[7 * stride], 1.00001, &in->dcm_21);
+    (void)read_centred(dcm[8 * stride], 1.00001, &in->dcm_22);
+    (void)read_centred(delta_theta[0], 0.5, &in->delta_theta_x);
+    (void)read_centred(delta_theta[stride], 0.5, &in->delta_theta_y);
+    (void)read_centred(delta_theta[2 * stride], 0.5, &in->delta_theta_z);
+    (void)read_centred(delta_velocity[0], 50.0, &in->delta_velocity_x);
+    (void)read_centred(delta_velocity[stride], 50.0, &in->delta_velocity_y);
+    (void)read_centred(delta_velocity[2 * stride], 50.0, &in->delta_velocity_z);
     (void)take_value(dt[0], 1.0e-05, 0.05, &in->dt);
 #else
     in->dcm_00 = dcm[0];

@@ -203,6 +203,23 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t take_centred(
     return within ? (navtk_specific_force_flag_t)0U : (navtk_specific_force_flag_t)1U;
 }
 
+/* Copy a value. 1 when it is not a number inside [-bound, bound], else 0: what is computed from
+   it is then discarded. */
+NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t read_centred(
+    navtk_specific_force_real_t value,
+    navtk_specific_force_real_t bound,
+    navtk_specific_force_real_t *copy)
+{
+    const bool within = is_lane_centred(value, bound);
+
+#ifdef __FRAMAC__ /* Eva does not know what is discarded. */
+    *copy = within ? value : 0.0;
+#else
+    *copy = value;
+#endif
+    return within ? (navtk_specific_force_flag_t)0U : (navtk_specific_force_flag_t)1U;
+}
+
 /* True when a quaternion keeps to unit norm so closely that every element is inside its range. */
 NAVTK_SPECIFIC_FORCE_INLINE bool is_near_quaternion(
     navtk_specific_force_real_t q0,

@@ -110,32 +110,32 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t force_load_lane(
     navtk_specific_force_flag_t skewed = 0U;
 
     /* attitude [s -> n] */
-    outside |= take_centred(x[6 * stride], 1.00001, &in->attitude_w);
-    outside |= take_centred(x[7 * stride], 1.00001, &in->attitude_x);
-    outside |= take_centred(x[8 * stride], 1.00001, &in->attitude_y);
-    outside |= take_centred(x[9 * stride], 1.00001, &in->attitude_z);
+    outside |= read_centred(x[6 * stride], 1.00001, &in->attitude_w);
+    outside |= read_centred(x[7 * stride], 1.00001, &in->attitude_x);
+    outside |= read_centred(x[8 * stride], 1.00001, &in->attitude_y);
+    outside |= read_centred(x[9 * stride], 1.00001, &in->attitude_z);
     skewed |= is_skewed_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z,
         1.0e-05);
 
     /* accelerometer_bias [m/s^2, in s] */
-    outside |= take_centred(x[10 * stride], 1.0, &in->accelerometer_bias_x);
-    outside |= take_centred(x[11 * stride], 1.0, &in->accelerometer_bias_y);
-    outside |= take_centred(x[12 * stride], 1.0, &in->accelerometer_bias_z);
+    outside |= read_centred(x[10 * stride], 1.0, &in->accelerometer_bias_x);
+    outside |= read_centred(x[11 * stride], 1.0, &in->accelerometer_bias_y);
+    outside |= read_centred(x[12 * stride], 1.0, &in->accelerometer_bias_z);
 
     /* gyro_bias [rad/s, in s] */
-    outside |= take_centred(x[13 * stride], 0.1, &in->gyro_bias_x);
-    outside |= take_centred(x[14 * stride], 0.1, &in->gyro_bias_y);
-    outside |= take_centred(x[15 * stride], 0.1, &in->gyro_bias_z);
+    outside |= read_centred(x[13 * stride], 0.1, &in->gyro_bias_x);
+    outside |= read_centred(x[14 * stride], 0.1, &in->gyro_bias_y);
+    outside |= read_centred(x[15 * stride], 0.1, &in->gyro_bias_z);
 
     /* delta_theta [rad, in s] */
-    outside |= take_centred(delta_theta[0], 0.5, &in->delta_theta_x);
-    outside |= take_centred(delta_theta[stride], 0.5, &in->delta_theta_y);
-    outside |= take_centred(delta_theta[2 * stride], 0.5, &in->delta_theta_z);
+    outside |= read_centred(delta_theta[0], 0.5, &in->delta_theta_x);
+    outside |= read_centred(delta_theta[stride], 0.5, &in->delta_theta_y);
+    outside |= read_centred(delta_theta[2 * stride], 0.5, &in->delta_theta_z);
 
     /* delta_velocity [m/s, in s] */
-    outside |= take_centred(delta_velocity[0], 50.0, &in->delta_velocity_x);
-    outside |= take_centred(delta_velocity[stride], 50.0, &in->delta_velocity_y);
-    outside |= take_centred(delta_velocity[2 * stride], 50.0, &in->delta_velocity_z);
+    outside |= read_centred(delta_velocity[0], 50.0, &in->delta_velocity_x);
+    outside |= read_centred(delta_velocity[stride], 50.0, &in->delta_velocity_y);
+    outside |= read_centred(delta_velocity[2 * stride], 50.0, &in->delta_velocity_z);
 
     /* dt [s] */
     outside |= take_value(dt[0], 1.0e-05, 0.05, &in->dt);
@@ -154,22 +154,22 @@ NAVTK_SPECIFIC_FORCE_INLINE void force_copy(
     force_input_t *in)
 {
 #ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
-    (void)take_centred(x[6 * stride], 1.00001, &in->attitude_w);
-    (void)take_centred(x[7 * stride], 1.00001, &in->attitude_x);
-    (void)take_centred(x[8 * stride], 1.00001, &in->attitude_y);
-    (void)take_centred(x[9 * stride], 1.00001, &in->attitude_z);
-    (void)take_centred(x[10 * stride], 1.0, &in->accelerometer_bias_x);
-    (void)take_centred(x[11 * stride], 1.0, &in->accelerometer_bias_y);
-    (void)take_centred(x[12 * stride], 1.0, &in->accelerometer_bias_z);
-    (void)take_centred(x[13 * stride], 0.1, &in->gyro_bias_x);
-    (void)take_centred(x[14 * stride], 0.1, &in->gyro_bias_y);
-    (void)take_centred(x[15 * stride], 0.1, &in->gyro_bias_z);
-    (void)take_centred(delta_theta[0], 0.5, &in->delta_theta_x);
-    (void)take_centred(delta_theta[stride], 0.5, &in->delta_theta_y);
-    (void)take_centred(delta_theta[2 * stride], 0.5, &in->delta_theta_z);
-    (void)take_centred(delta_velocity[0], 50.0, &in->delta_velocity_x);
-    (void)take_centred(delta_velocity[stride], 50.0, &in->delta_velocity_y);
-    (void)take_centred(delta_velocity[2 * stride], 50.0, &in->delta_velocity_z);
+    (void)read_centred(x[6 * stride], 1.00001, &in->attitude_w);
+    (void)read_centred(x[7 * stride], 1.00001, &in->attitude_x);
+    (void)read_centred(x[8 * stride], 1.00001, &in->attitude_y);
+    (void)read_centred(x[9 * stride], 1.00001, &in->attitude_z);
+    (void)read_centred(x[10 * stride], 1.0, &in->accelerometer_bias_x);
+    (void)read_centred(x[11 * stride], 1.0, &in->accelerometer_bias_y);
+    (void)read_centred(x[12 * stride], 1.0, &in->accelerometer_bias_z);
+    (void)read_centred(x[13 * stride], 0.1, &in->gyro_bias_x);
+    (void)read_centred(x[14 * stride], 0.1, &in->gyro_bias_y);
+    (void)read_centred(x[15 * stride], 0.1, &in->gyro_bias_z);
+    (void)read_centred(delta_theta[0], 0.5, &in->delta_theta_x);
+    (void)read_centred(delta_theta[stride], 0.5, &in->delta_theta_y);
+    (void)read_centred(delta_theta[2 * stride], 0.5, &in->delta_theta_z);
+    (void)read_centred(delta_velocity[0], 50.0, &in->delta_velocity_x);
+    (void)read_centred(delta_velocity[stride], 50.0, &in->delta_velocity_y);
+    (void)read_centred(delta_velocity[2 * stride], 50.0, &in->delta_velocity_z);
     (void)take_value(dt[0], 1.0e-05, 0.05, &in->dt);
 #else
     in->attitude_w = x[6 * stride];

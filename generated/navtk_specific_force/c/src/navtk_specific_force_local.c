@@ -43,14 +43,14 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t local_load_lane(
     navtk_specific_force_flag_t skewed = 0U;
 
     /* position [m, in n] */
-    outside |= take_centred(x[0], 1000000000.0, &in->position_x);
-    outside |= take_centred(x[stride], 1000000000.0, &in->position_y);
-    outside |= take_centred(x[2 * stride], 1000000000.0, &in->position_z);
+    outside |= read_centred(x[0], 1000000000.0, &in->position_x);
+    outside |= read_centred(x[stride], 1000000000.0, &in->position_y);
+    outside |= read_centred(x[2 * stride], 1000000000.0, &in->position_z);
 
     /* velocity [m/s, in n] */
-    outside |= take_centred(x[3 * stride], 1000000000.0, &in->velocity_x);
-    outside |= take_centred(x[4 * stride], 1000000000.0, &in->velocity_y);
-    outside |= take_centred(x[5 * stride], 1000000000.0, &in->velocity_z);
+    outside |= read_centred(x[3 * stride], 1000000000.0, &in->velocity_x);
+    outside |= read_centred(x[4 * stride], 1000000000.0, &in->velocity_y);
+    outside |= read_centred(x[5 * stride], 1000000000.0, &in->velocity_z);
 
     /* attitude [s -> n] */
     outside |= take_centred(x[6 * stride], 1.00001, &in->attitude_w);
@@ -61,24 +61,24 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t local_load_lane(
         1.0e-05);
 
     /* accelerometer_bias [m/s^2, in s] */
-    outside |= take_centred(x[10 * stride], 1.0, &in->accelerometer_bias_x);
-    outside |= take_centred(x[11 * stride], 1.0, &in->accelerometer_bias_y);
-    outside |= take_centred(x[12 * stride], 1.0, &in->accelerometer_bias_z);
+    outside |= read_centred(x[10 * stride], 1.0, &in->accelerometer_bias_x);
+    outside |= read_centred(x[11 * stride], 1.0, &in->accelerometer_bias_y);
+    outside |= read_centred(x[12 * stride], 1.0, &in->accelerometer_bias_z);
 
     /* gyro_bias [rad/s, in s] */
-    outside |= take_centred(x[13 * stride], 0.1, &in->gyro_bias_x);
-    outside |= take_centred(x[14 * stride], 0.1, &in->gyro_bias_y);
-    outside |= take_centred(x[15 * stride], 0.1, &in->gyro_bias_z);
+    outside |= read_centred(x[13 * stride], 0.1, &in->gyro_bias_x);
+    outside |= read_centred(x[14 * stride], 0.1, &in->gyro_bias_y);
+    outside |= read_centred(x[15 * stride], 0.1, &in->gyro_bias_z);
 
     /* position [m, in n] */
-    outside |= take_centred(y[0], 1000000000.0, &in->y_position_x);
-    outside |= take_centred(y[stride], 1000000000.0, &in->y_position_y);
-    outside |= take_centred(y[2 * stride], 1000000000.0, &in->y_position_z);
+    outside |= read_centred(y[0], 1000000000.0, &in->y_position_x);
+    outside |= read_centred(y[stride], 1000000000.0, &in->y_position_y);
+    outside |= read_centred(y[2 * stride], 1000000000.0, &in->y_position_z);
 
     /* velocity [m/s, in n] */
-    outside |= take_centred(y[3 * stride], 1000000000.0, &in->y_velocity_x);
-    outside |= take_centred(y[4 * stride], 1000000000.0, &in->y_velocity_y);
-    outside |= take_centred(y[5 * stride], 1000000000.0, &in->y_velocity_z);
+    outside |= read_centred(y[3 * stride], 1000000000.0, &in->y_velocity_x);
+    outside |= read_centred(y[4 * stride], 1000000000.0, &in->y_velocity_y);
+    outside |= read_centred(y[5 * stride], 1000000000.0, &in->y_velocity_z);
 
     /* attitude [s -> n] */
     outside |= take_centred(y[6 * stride], 1.00001, &in->y_attitude_w);
@@ -89,14 +89,14 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t local_load_lane(
         in->y_attitude_z, 1.0e-05);
 
     /* accelerometer_bias [m/s^2, in s] */
-    outside |= take_centred(y[10 * stride], 1.0, &in->y_accelerometer_bias_x);
-    outside |= take_centred(y[11 * stride], 1.0, &in->y_accelerometer_bias_y);
-    outside |= take_centred(y[12 * stride], 1.0, &in->y_accelerometer_bias_z);
+    outside |= read_centred(y[10 * stride], 1.0, &in->y_accelerometer_bias_x);
+    outside |= read_centred(y[11 * stride], 1.0, &in->y_accelerometer_bias_y);
+    outside |= read_centred(y[12 * stride], 1.0, &in->y_accelerometer_bias_z);
 
     /* gyro_bias [rad/s, in s] */
-    outside |= take_centred(y[13 * stride], 0.1, &in->y_gyro_bias_x);
-    outside |= take_centred(y[14 * stride], 0.1, &in->y_gyro_bias_y);
-    outside |= take_centred(y[15 * stride], 0.1, &in->y_gyro_bias_z);
+    outside |= read_centred(y[13 * stride], 0.1, &in->y_gyro_bias_x);
+    outside |= read_centred(y[14 * stride], 0.1, &in->y_gyro_bias_y);
+    outside |= read_centred(y[15 * stride], 0.1, &in->y_gyro_bias_z);
 
     return ((navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_RANGE * outside) +
         ((navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_QNORM * (skewed & ~outside));
@@ -110,38 +110,38 @@ NAVTK_SPECIFIC_FORCE_INLINE void local_copy(
     local_input_t *in)
 {
 #ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
-    (void)take_centred(x[0], 1000000000.0, &in->position_x);
-    (void)take_centred(x[stride], 1000000000.0, &in->position_y);
-    (void)take_centred(x[2 * stride], 1000000000.0, &in->position_z);
-    (void)take_centred(x[3 * stride], 1000000000.0, &in->velocity_x);
-    (void)take_centred(x[4 * stride], 1000000000.0, &in->velocity_y);
-    (void)take_centred(x[5 * stride], 1000000000.0, &in->velocity_z);
+    (void)read_centred(x[0], 1000000000.0, &in->position_x);
+    (void)read_centred(x[stride], 1000000000.0, &in->position_y);
+    (void)read_centred(x[2 * stride], 1000000000.0, &in->position_z);
+    (void)read_centred(x[3 * stride], 1000000000.0, &in->velocity_x);
+    (void)read_centred(x[4 * stride], 1000000000.0, &in->velocity_y);
+    (void)read_centred(x[5 * stride], 1000000000.0, &in->velocity_z);
     (void)take_centred(x[6 * stride], 1.00001, &in->attitude_w);
     (void)take_centred(x[7 * stride], 1.00001, &in->attitude_x);
     (void)take_centred(x[8 * stride], 1.00001, &in->attitude_y);
     (void)take_centred(x[9 * stride], 1.00001, &in->attitude_z);
-    (void)take_centred(x[10 * stride], 1.0, &in->accelerometer_bias_x);
-    (void)take_centred(x[11 * stride], 1.0, &in->accelerometer_bias_y);
-    (void)take_centred(x[12 * stride], 1.0, &in->accelerometer_bias_z);
-    (void)take_centred(x[13 * stride], 0.1, &in->gyro_bias_x);
-    (void)take_centred(x[14 * stride], 0.1, &in->gyro_bias_y);
-    (void)take_centred(x[15 * stride], 0.1, &in->gyro_bias_z);
-    (void)take_centred(y[0], 1000000000.0, &in->y_position_x);
-    (void)take_centred(y[stride], 1000000000.0, &in->y_position_y);
-    (void)take_centred(y[2 * stride], 1000000000.0, &in->y_position_z);
-    (void)take_centred(y[3 * stride], 1000000000.0, &in->y_velocity_x);
-    (void)take_centred(y[4 * stride], 1000000000.0, &in->y_velocity_y);
-    (void)take_centred(y[5 * stride], 1000000000.0, &in->y_velocity_z);
+    (void)read_centred(x[10 * stride], 1.0, &in->accelerometer_bias_x);
+    (void)read_centred(x[11 * stride], 1.0, &in->accelerometer_bias_y);
+    (void)read_centred(x[12 * stride], 1.0, &in->accelerometer_bias_z);
+    (void)read_centred(x[13 * stride], 0.1, &in->gyro_bias_x);
+    (void)read_centred(x[14 * stride], 0.1, &in->gyro_bias_y);
+    (void)read_centred(x[15 * stride], 0.1, &in->gyro_bias_z);
+    (void)read_centred(y[0], 1000000000.0, &in->y_position_x);
+    (void)read_centred(y[stride], 1000000000.0, &in->y_position_y);
+    (void)read_centred(y[2 * stride], 1000000000.0, &in->y_position_z);
+    (void)read_centred(y[3 * stride], 1000000000.0, &in->y_velocity_x);
+    (void)read_centred(y[4 * stride], 1000000000.0, &in->y_velocity_y);
+    (void)read_centred(y[5 * stride], 1000000000.0, &in->y_velocity_z);
     (void)take_centred(y[6 * stride], 1.00001, &in->y_attitude_w);
     (void)take_centred(y[7 * stride], 1.00001, &in->y_attitude_x);
     (void)take_centred(y[8 * stride], 1.00001, &in->y_attitude_y);
     (void)take_centred(y[9 * stride], 1.00001, &in->y_attitude_z);
-    (void)take_centred(y[10 * stride], 1.0, &in->y_accelerometer_bias_x);
-    (void)take_centred(y[11 * stride], 1.0, &in->y_accelerometer_bias_y);
-    (void)take_centred(y[12 * stride], 1.0, &in->y_accelerometer_bias_z);
-    (void)take_centred(y[13 * stride], 0.1, &in->y_gyro_bias_x);
-    (void)take_centred(y[14 * stride], 0.1, &in->y_gyro_bias_y);
-    (void)take_centred(y[15 * stride], 0.1, &in->y_gyro_bias_z);
+    (void)read_centred(y[10 * stride], 1.0, &in->y_accelerometer_bias_x);
+    (void)read_centred(y[11 * stride], 1.0, &in->y_accelerometer_bias_y);
+    (void)read_centred(y[12 * stride], 1.0, &in->y_accelerometer_bias_z);
+    (void)read_centred(y[13 * stride], 0.1, &in->y_gyro_bias_x);
+    (void)read_centred(y[14 * stride], 0.1, &in->y_gyro_bias_y);
+    (void)read_centred(y[15 * stride], 0.1, &in->y_gyro_bias_z);
 #else
     in->position_x = x[0];
     in->position_y = x[stride];

@@ -44,42 +44,42 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t retract_load_lane(
     navtk_specific_force_flag_t skewed = 0U;
 
     /* position [m, in n] */
-    outside |= take_centred(x[0], 1000000000.0, &in->position_x);
-    outside |= take_centred(x[stride], 1000000000.0, &in->position_y);
-    outside |= take_centred(x[2 * stride], 1000000000.0, &in->position_z);
+    outside |= read_centred(x[0], 1000000000.0, &in->position_x);
+    outside |= read_centred(x[stride], 1000000000.0, &in->position_y);
+    outside |= read_centred(x[2 * stride], 1000000000.0, &in->position_z);
 
     /* velocity [m/s, in n] */
-    outside |= take_centred(x[3 * stride], 1000000000.0, &in->velocity_x);
-    outside |= take_centred(x[4 * stride], 1000000000.0, &in->velocity_y);
-    outside |= take_centred(x[5 * stride], 1000000000.0, &in->velocity_z);
+    outside |= read_centred(x[3 * stride], 1000000000.0, &in->velocity_x);
+    outside |= read_centred(x[4 * stride], 1000000000.0, &in->velocity_y);
+    outside |= read_centred(x[5 * stride], 1000000000.0, &in->velocity_z);
 
     /* attitude [s -> n] */
-    outside |= take_centred(x[6 * stride], 1.00001, &in->attitude_w);
-    outside |= take_centred(x[7 * stride], 1.00001, &in->attitude_x);
-    outside |= take_centred(x[8 * stride], 1.00001, &in->attitude_y);
-    outside |= take_centred(x[9 * stride], 1.00001, &in->attitude_z);
+    outside |= read_centred(x[6 * stride], 1.00001, &in->attitude_w);
+    outside |= read_centred(x[7 * stride], 1.00001, &in->attitude_x);
+    outside |= read_centred(x[8 * stride], 1.00001, &in->attitude_y);
+    outside |= read_centred(x[9 * stride], 1.00001, &in->attitude_z);
     skewed |= is_skewed_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z,
         1.0e-05);
 
     /* accelerometer_bias [m/s^2, in s] */
-    outside |= take_centred(x[10 * stride], 1.0, &in->accelerometer_bias_x);
-    outside |= take_centred(x[11 * stride], 1.0, &in->accelerometer_bias_y);
-    outside |= take_centred(x[12 * stride], 1.0, &in->accelerometer_bias_z);
+    outside |= read_centred(x[10 * stride], 1.0, &in->accelerometer_bias_x);
+    outside |= read_centred(x[11 * stride], 1.0, &in->accelerometer_bias_y);
+    outside |= read_centred(x[12 * stride], 1.0, &in->accelerometer_bias_z);
 
     /* gyro_bias [rad/s, in s] */
-    outside |= take_centred(x[13 * stride], 0.1, &in->gyro_bias_x);
-    outside |= take_centred(x[14 * stride], 0.1, &in->gyro_bias_y);
-    outside |= take_centred(x[15 * stride], 0.1, &in->gyro_bias_z);
+    outside |= read_centred(x[13 * stride], 0.1, &in->gyro_bias_x);
+    outside |= read_centred(x[14 * stride], 0.1, &in->gyro_bias_y);
+    outside |= read_centred(x[15 * stride], 0.1, &in->gyro_bias_z);
 
     /* position [m, in n] */
-    outside |= take_centred(d[0], 1000000000.0, &in->d_position_x);
-    outside |= take_centred(d[stride], 1000000000.0, &in->d_position_y);
-    outside |= take_centred(d[2 * stride], 1000000000.0, &in->d_position_z);
+    outside |= read_centred(d[0], 1000000000.0, &in->d_position_x);
+    outside |= read_centred(d[stride], 1000000000.0, &in->d_position_y);
+    outside |= read_centred(d[2 * stride], 1000000000.0, &in->d_position_z);
 
     /* velocity [m/s, in n] */
-    outside |= take_centred(d[3 * stride], 1000000000.0, &in->d_velocity_x);
-    outside |= take_centred(d[4 * stride], 1000000000.0, &in->d_velocity_y);
-    outside |= take_centred(d[5 * stride], 1000000000.0, &in->d_velocity_z);
+    outside |= read_centred(d[3 * stride], 1000000000.0, &in->d_velocity_x);
+    outside |= read_centred(d[4 * stride], 1000000000.0, &in->d_velocity_y);
+    outside |= read_centred(d[5 * stride], 1000000000.0, &in->d_velocity_z);
 
     /* attitude [rad, in n] */
     outside |= take_centred(d[6 * stride], 6.0, &in->d_attitude_x);
@@ -87,14 +87,14 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t retract_load_lane(
     outside |= take_centred(d[8 * stride], 6.0, &in->d_attitude_z);
 
     /* accelerometer_bias [m/s^2, in s] */
-    outside |= take_centred(d[9 * stride], 1000000000.0, &in->d_accelerometer_bias_x);
-    outside |= take_centred(d[10 * stride], 1000000000.0, &in->d_accelerometer_bias_y);
-    outside |= take_centred(d[11 * stride], 1000000000.0, &in->d_accelerometer_bias_z);
+    outside |= read_centred(d[9 * stride], 1000000000.0, &in->d_accelerometer_bias_x);
+    outside |= read_centred(d[10 * stride], 1000000000.0, &in->d_accelerometer_bias_y);
+    outside |= read_centred(d[11 * stride], 1000000000.0, &in->d_accelerometer_bias_z);
 
     /* gyro_bias [rad/s, in s] */
-    outside |= take_centred(d[12 * stride], 1000000000.0, &in->d_gyro_bias_x);
-    outside |= take_centred(d[13 * stride], 1000000000.0, &in->d_gyro_bias_y);
-    outside |= take_centred(d[14 * stride], 1000000000.0, &in->d_gyro_bias_z);
+    outside |= read_centred(d[12 * stride], 1000000000.0, &in->d_gyro_bias_x);
+    outside |= read_centred(d[13 * stride], 1000000000.0, &in->d_gyro_bias_y);
+    outside |= read_centred(d[14 * stride], 1000000000.0, &in->d_gyro_bias_z);
 
     return ((navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_RANGE * outside) +
         ((navtk_specific_force_flag_t)NAVTK_SPECIFIC_FORCE_QNORM * (skewed & ~outside));
@@ -108,37 +108,37 @@ NAVTK_SPECIFIC_FORCE_INLINE void retract_copy(
     retract_input_t *in)
 {
 #ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
-    (void)take_centred(x[0], 1000000000.0, &in->position_x);
-    (void)take_centred(x[stride], 1000000000.0, &in->position_y);
-    (void)take_centred(x[2 * stride], 1000000000.0, &in->position_z);
-    (void)take_centred(x[3 * stride], 1000000000.0, &in->velocity_x);
-    (void)take_centred(x[4 * stride], 1000000000.0, &in->velocity_y);
-    (void)take_centred(x[5 * stride], 1000000000.0, &in->velocity_z);
-    (void)take_centred(x[6 * stride], 1.00001, &in->attitude_w);
-    (void)take_centred(x[7 * stride], 1.00001, &in->attitude_x);
-    (void)take_centred(x[8 * stride], 1.00001, &in->attitude_y);
-    (void)take_centred(x[9 * stride], 1.00001, &in->attitude_z);
-    (void)take_centred(x[10 * stride], 1.0, &in->accelerometer_bias_x);
-    (void)take_centred(x[11 * stride], 1.0, &in->accelerometer_bias_y);
-    (void)take_centred(x[12 * stride], 1.0, &in->accelerometer_bias_z);
-    (void)take_centred(x[13 * stride], 0.1, &in->gyro_bias_x);
-    (void)take_centred(x[14 * stride], 0.1, &in->gyro_bias_y);
-    (void)take_centred(x[15 * stride], 0.1, &in->gyro_bias_z);
-    (void)take_centred(d[0], 1000000000.0, &in->d_position_x);
-    (void)take_centred(d[stride], 1000000000.0, &in->d_position_y);
-    (void)take_centred(d[2 * stride], 1000000000.0, &in->d_position_z);
-    (void)take_centred(d[3 * stride], 1000000000.0, &in->d_velocity_x);
-    (void)take_centred(d[4 * stride], 1000000000.0, &in->d_velocity_y);
-    (void)take_centred(d[5 * stride], 1000000000.0, &in->d_velocity_z);
+    (void)read_centred(x[0], 1000000000.0, &in->position_x);
+    (void)read_centred(x[stride], 1000000000.0, &in->position_y);
+    (void)read_centred(x[2 * stride], 1000000000.0, &in->position_z);
+    (void)read_centred(x[3 * stride], 1000000000.0, &in->velocity_x);
+    (void)read_centred(x[4 * stride], 1000000000.0, &in->velocity_y);
+    (void)read_centred(x[5 * stride], 1000000000.0, &in->velocity_z);
+    (void)read_centred(x[6 * stride], 1.00001, &in->attitude_w);
+    (void)read_centred(x[7 * stride], 1.00001, &in->attitude_x);
+    (void)read_centred(x[8 * stride], 1.00001, &in->attitude_y);
+    (void)read_centred(x[9 * stride], 1.00001, &in->attitude_z);
+    (void)read_centred(x[10 * stride], 1.0, &in->accelerometer_bias_x);
+    (void)read_centred(x[11 * stride], 1.0, &in->accelerometer_bias_y);
+    (void)read_centred(x[12 * stride], 1.0, &in->accelerometer_bias_z);
+    (void)read_centred(x[13 * stride], 0.1, &in->gyro_bias_x);
+    (void)read_centred(x[14 * stride], 0.1, &in->gyro_bias_y);
+    (void)read_centred(x[15 * stride], 0.1, &in->gyro_bias_z);
+    (void)read_centred(d[0], 1000000000.0, &in->d_position_x);
+    (void)read_centred(d[stride], 1000000000.0, &in->d_position_y);
+    (void)read_centred(d[2 * stride], 1000000000.0, &in->d_position_z);
+    (void)read_centred(d[3 * stride], 1000000000.0, &in->d_velocity_x);
+    (void)read_centred(d[4 * stride], 1000000000.0, &in->d_velocity_y);
+    (void)read_centred(d[5 * stride], 1000000000.0, &in->d_velocity_z);
     (void)take_centred(d[6 * stride], 6.0, &in->d_attitude_x);
     (void)take_centred(d[7 * stride], 6.0, &in->d_attitude_y);
     (void)take_centred(d[8 * stride], 6.0, &in->d_attitude_z);
-    (void)take_centred(d[9 * stride], 1000000000.0, &in->d_accelerometer_bias_x);
-    (void)take_centred(d[10 * stride], 1000000000.0, &in->d_accelerometer_bias_y);
-    (void)take_centred(d[11 * stride], 1000000000.0, &in->d_accelerometer_bias_z);
-    (void)take_centred(d[12 * stride], 1000000000.0, &in->d_gyro_bias_x);
-    (void)take_centred(d[13 * stride], 1000000000.0, &in->d_gyro_bias_y);
-    (void)take_centred(d[14 * stride], 1000000000.0, &in->d_gyro_bias_z);
+    (void)read_centred(d[9 * stride], 1000000000.0, &in->d_accelerometer_bias_x);
+    (void)read_centred(d[10 * stride], 1000000000.0, &in->d_accelerometer_bias_y);
+    (void)read_centred(d[11 * stride], 1000000000.0, &in->d_accelerometer_bias_z);
+    (void)read_centred(d[12 * stride], 1000000000.0, &in->d_gyro_bias_x);
+    (void)read_centred(d[13 * stride], 1000000000.0, &in->d_gyro_bias_y);
+    (void)read_centred(d[14 * stride], 1000000000.0, &in->d_gyro_bias_z);
 #else
     in->position_x = x[0];
     in->position_y = x[stride];

@@ -62,38 +62,38 @@ ROVER_INLINE rover_flag_t imu_load_lane(
     rover_flag_t skewed = 0U;
 
     /* attitude [b -> n] */
-    outside |= take_centred(x[6 * stride], 1.00001, &in->attitude_w);
-    outside |= take_centred(x[7 * stride], 1.00001, &in->attitude_x);
-    outside |= take_centred(x[8 * stride], 1.00001, &in->attitude_y);
-    outside |= take_centred(x[9 * stride], 1.00001, &in->attitude_z);
+    outside |= read_centred(x[6 * stride], 1.00001, &in->attitude_w);
+    outside |= read_centred(x[7 * stride], 1.00001, &in->attitude_x);
+    outside |= read_centred(x[8 * stride], 1.00001, &in->attitude_y);
+    outside |= read_centred(x[9 * stride], 1.00001, &in->attitude_z);
     skewed |= is_skewed_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z,
         1.0e-05);
 
     /* accelerometer_bias [m/s^2, in b] */
-    outside |= take_centred(x[10 * stride], 1.0, &in->accelerometer_bias_x);
-    outside |= take_centred(x[11 * stride], 1.0, &in->accelerometer_bias_y);
-    outside |= take_centred(x[12 * stride], 1.0, &in->accelerometer_bias_z);
+    outside |= read_centred(x[10 * stride], 1.0, &in->accelerometer_bias_x);
+    outside |= read_centred(x[11 * stride], 1.0, &in->accelerometer_bias_y);
+    outside |= read_centred(x[12 * stride], 1.0, &in->accelerometer_bias_z);
 
     /* gyro_bias [rad/s, in b] */
-    outside |= take_centred(x[13 * stride], 0.1, &in->gyro_bias_x);
-    outside |= take_centred(x[14 * stride], 0.1, &in->gyro_bias_y);
-    outside |= take_centred(x[15 * stride], 0.1, &in->gyro_bias_z);
+    outside |= read_centred(x[13 * stride], 0.1, &in->gyro_bias_x);
+    outside |= read_centred(x[14 * stride], 0.1, &in->gyro_bias_y);
+    outside |= read_centred(x[15 * stride], 0.1, &in->gyro_bias_z);
 
     /* delta_theta [rad, in b] */
-    outside |= take_centred(delta_theta[0], 0.5, &in->delta_theta_0);
-    outside |= take_centred(delta_theta[stride], 0.5, &in->delta_theta_1);
-    outside |= take_centred(delta_theta[2 * stride], 0.5, &in->delta_theta_2);
-    outside |= take_centred(delta_theta[3 * stride], 0.5, &in->delta_theta_3);
-    outside |= take_centred(delta_theta[4 * stride], 0.5, &in->delta_theta_4);
-    outside |= take_centred(delta_theta[5 * stride], 0.5, &in->delta_theta_5);
+    outside |= read_centred(delta_theta[0], 0.5, &in->delta_theta_0);
+    outside |= read_centred(delta_theta[stride], 0.5, &in->delta_theta_1);
+    outside |= read_centred(delta_theta[2 * stride], 0.5, &in->delta_theta_2);
+    outside |= read_centred(delta_theta[3 * stride], 0.5, &in->delta_theta_3);
+    outside |= read_centred(delta_theta[4 * stride], 0.5, &in->delta_theta_4);
+    outside |= read_centred(delta_theta[5 * stride], 0.5, &in->delta_theta_5);
 
     /* delta_velocity [m/s, in b] */
-    outside |= take_centred(delta_velocity[0], 50.0, &in->delta_velocity_0);
-    outside |= take_centred(delta_velocity[stride], 50.0, &in->delta_velocity_1);
-    outside |= take_centred(delta_velocity[2 * stride], 50.0, &in->delta_velocity_2);
-    outside |= take_centred(delta_velocity[3 * stride], 50.0, &in->delta_velocity_3);
-    outside |= take_centred(delta_velocity[4 * stride], 50.0, &in->delta_velocity_4);
-    outside |= take_centred(delta_velocity[5 * stride], 50.0, &in->delta_velocity_5);
+    outside |= read_centred(delta_velocity[0], 50.0, &in->delta_velocity_0);
+    outside |= read_centred(delta_velocity[stride], 50.0, &in->delta_velocity_1);
+    outside |= read_centred(delta_velocity[2 * stride], 50.0, &in->delta_velocity_2);
+    outside |= read_centred(delta_velocity[3 * stride], 50.0, &in->delta_velocity_3);
+    outside |= read_centred(delta_velocity[4 * stride], 50.0, &in->delta_velocity_4);
+    outside |= read_centred(delta_velocity[5 * stride], 50.0, &in->delta_velocity_5);
 
     /* dt [s] */
     outside |= take_value(dt[0], 1.0e-05, 0.05, &in->dt);
@@ -112,28 +112,28 @@ ROVER_INLINE void imu_copy(
     imu_input_t *in)
 {
 #ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
-    (void)take_centred(x[6 * stride], 1.00001, &in->attitude_w);
-    (void)take_centred(x[7 * stride], 1.00001, &in->attitude_x);
-    (void)take_centred(x[8 * stride], 1.00001, &in->attitude_y);
-    (void)take_centred(x[9 * stride], 1.00001, &in->attitude_z);
-    (void)take_centred(x[10 * stride], 1.0, &in->accelerometer_bias_x);
-    (void)take_centred(x[11 * stride], 1.0, &in->accelerometer_bias_y);
-    (void)take_centred(x[12 * stride], 1.0, &in->accelerometer_bias_z);
-    (void)take_centred(x[13 * stride], 0.1, &in->gyro_bias_x);
-    (void)take_centred(x[14 * stride], 0.1, &in->gyro_bias_y);
-    (void)take_centred(x[15 * stride], 0.1, &in->gyro_bias_z);
-    (void)take_centred(delta_theta[0], 0.5, &in->delta_theta_0);
-    (void)take_centred(delta_theta[stride], 0.5, &in->delta_theta_1);
-    (void)take_centred(delta_theta[2 * stride], 0.5, &in->delta_theta_2);
-    (void)take_centred(delta_theta[3 * stride], 0.5, &in->delta_theta_3);
-    (void)take_centred(delta_theta[4 * stride], 0.5, &in->delta_theta_4);
-    (void)take_centred(delta_theta[5 * stride], 0.5, &in->delta_theta_5);
-    (void)take_centred(delta_velocity[0], 50.0, &in->delta_velocity_0);
-    (void)take_centred(delta_velocity[stride], 50.0, &in->delta_velocity_1);
-    (void)take_centred(delta_velocity[2 * stride], 50.0, &in->delta_velocity_2);
-    (void)take_centred(delta_velocity[3 * stride], 50.0, &in->delta_velocity_3);
-    (void)take_centred(delta_velocity[4 * stride], 50.0, &in->delta_velocity_4);
-    (void)take_centred(delta_velocity[5 * stride], 50.0, &in->delta_velocity_5);
+    (void)read_centred(x[6 * stride], 1.00001, &in->attitude_w);
+    (void)read_centred(x[7 * stride], 1.00001, &in->attitude_x);
+    (void)read_centred(x[8 * stride], 1.00001, &in->attitude_y);
+    (void)read_centred(x[9 * stride], 1.00001, &in->attitude_z);
+    (void)read_centred(x[10 * stride], 1.0, &in->accelerometer_bias_x);
+    (void)read_centred(x[11 * stride], 1.0, &in->accelerometer_bias_y);
+    (void)read_centred(x[12 * stride], 1.0, &in->accelerometer_bias_z);
+    (void)read_centred(x[13 * stride], 0.1, &in->gyro_bias_x);
+    (void)read_centred(x[14 * stride], 0.1, &in->gyro_bias_y);
+    (void)read_centred(x[15 * stride], 0.1, &in->gyro_bias_z);
+    (void)read_centred(delta_theta[0], 0.5, &in->delta_theta_0);
+    (void)read_centred(delta_theta[stride], 0.5, &in->delta_theta_1);
+    (void)read_centred(delta_theta[2 * stride], 0.5, &in->delta_theta_2);
+    (void)read_centred(delta_theta[3 * stride], 0.5, &in->delta_theta_3);
+    (void)read_centred(delta_theta[4 * stride], 0.5, &in->delta_theta_4);
+    (void)read_centred(delta_theta[5 * stride], 0.5, &in->delta_theta_5);
+    (void)read_centred(delta_velocity[0], 50.0, &in->delta_velocity_0);
+    (void)read_centred(delta_velocity[stride], 50.0, &in->delta_velocity_1);
+    (void)read_centred(delta_velocity[2 * stride], 50.0, &in->delta_velocity_2);
+    (void)read_centred(delta_velocity[3 * stride], 50.0, &in->delta_velocity_3);
+    (void)read_centred(delta_velocity[4 * stride], 50.0, &in->delta_velocity_4);
+    (void)read_centred(delta_velocity[5 * stride], 50.0, &in->delta_velocity_5);
     (void)take_value(dt[0], 1.0e-05, 0.05, &in->dt);
 #else
     in->attitude_w = x[6 * stride];

@@ -49,14 +49,14 @@ ROVER_INLINE rover_flag_t local_load_lane(
     rover_flag_t skewed = 0U;
 
     /* position [m, in n] */
-    outside |= take_centred(x[0], 100000.0, &in->position_x);
-    outside |= take_centred(x[stride], 100000.0, &in->position_y);
-    outside |= take_centred(x[2 * stride], 100000.0, &in->position_z);
+    outside |= read_centred(x[0], 100000.0, &in->position_x);
+    outside |= read_centred(x[stride], 100000.0, &in->position_y);
+    outside |= read_centred(x[2 * stride], 100000.0, &in->position_z);
 
     /* velocity [m/s, in n] */
-    outside |= take_centred(x[3 * stride], 1000000000.0, &in->velocity_x);
-    outside |= take_centred(x[4 * stride], 1000000000.0, &in->velocity_y);
-    outside |= take_centred(x[5 * stride], 1000000000.0, &in->velocity_z);
+    outside |= read_centred(x[3 * stride], 1000000000.0, &in->velocity_x);
+    outside |= read_centred(x[4 * stride], 1000000000.0, &in->velocity_y);
+    outside |= read_centred(x[5 * stride], 1000000000.0, &in->velocity_z);
 
     /* attitude [b -> n] */
     outside |= take_centred(x[6 * stride], 1.00001, &in->attitude_w);
@@ -67,38 +67,38 @@ ROVER_INLINE rover_flag_t local_load_lane(
         1.0e-05);
 
     /* accelerometer_bias [m/s^2, in b] */
-    outside |= take_centred(x[10 * stride], 1.0, &in->accelerometer_bias_x);
-    outside |= take_centred(x[11 * stride], 1.0, &in->accelerometer_bias_y);
-    outside |= take_centred(x[12 * stride], 1.0, &in->accelerometer_bias_z);
+    outside |= read_centred(x[10 * stride], 1.0, &in->accelerometer_bias_x);
+    outside |= read_centred(x[11 * stride], 1.0, &in->accelerometer_bias_y);
+    outside |= read_centred(x[12 * stride], 1.0, &in->accelerometer_bias_z);
 
     /* gyro_bias [rad/s, in b] */
-    outside |= take_centred(x[13 * stride], 0.1, &in->gyro_bias_x);
-    outside |= take_centred(x[14 * stride], 0.1, &in->gyro_bias_y);
-    outside |= take_centred(x[15 * stride], 0.1, &in->gyro_bias_z);
+    outside |= read_centred(x[13 * stride], 0.1, &in->gyro_bias_x);
+    outside |= read_centred(x[14 * stride], 0.1, &in->gyro_bias_y);
+    outside |= read_centred(x[15 * stride], 0.1, &in->gyro_bias_z);
 
     /* antenna [m, in b] */
-    outside |= take_centred(x[16 * stride], 10.0, &in->antenna_x);
-    outside |= take_centred(x[17 * stride], 10.0, &in->antenna_y);
-    outside |= take_centred(x[18 * stride], 10.0, &in->antenna_z);
+    outside |= read_centred(x[16 * stride], 10.0, &in->antenna_x);
+    outside |= read_centred(x[17 * stride], 10.0, &in->antenna_y);
+    outside |= read_centred(x[18 * stride], 10.0, &in->antenna_z);
 
     /* b_gps [m] */
-    outside |= take_centred(x[19 * stride], 1000000.0, &in->b_gps);
+    outside |= read_centred(x[19 * stride], 1000000.0, &in->b_gps);
 
     /* b_galileo [m] */
-    outside |= take_centred(x[20 * stride], 1000000.0, &in->b_galileo);
+    outside |= read_centred(x[20 * stride], 1000000.0, &in->b_galileo);
 
     /* drift [m/s] */
-    outside |= take_centred(x[21 * stride], 1000000000.0, &in->drift);
+    outside |= read_centred(x[21 * stride], 1000000000.0, &in->drift);
 
     /* position [m, in n] */
-    outside |= take_centred(y[0], 100000.0, &in->y_position_x);
-    outside |= take_centred(y[stride], 100000.0, &in->y_position_y);
-    outside |= take_centred(y[2 * stride], 100000.0, &in->y_position_z);
+    outside |= read_centred(y[0], 100000.0, &in->y_position_x);
+    outside |= read_centred(y[stride], 100000.0, &in->y_position_y);
+    outside |= read_centred(y[2 * stride], 100000.0, &in->y_position_z);
 
     /* velocity [m/s, in n] */
-    outside |= take_centred(y[3 * stride], 1000000000.0, &in->y_velocity_x);
-    outside |= take_centred(y[4 * stride], 1000000000.0, &in->y_velocity_y);
-    outside |= take_centred(y[5 * stride], 1000000000.0, &in->y_velocity_z);
+    outside |= read_centred(y[3 * stride], 1000000000.0, &in->y_velocity_x);
+    outside |= read_centred(y[4 * stride], 1000000000.0, &in->y_velocity_y);
+    outside |= read_centred(y[5 * stride], 1000000000.0, &in->y_velocity_z);
 
     /* attitude [b -> n] */
     outside |= take_centred(y[6 * stride], 1.00001, &in->y_attitude_w);
@@ -109,28 +109,28 @@ ROVER_INLINE rover_flag_t local_load_lane(
         in->y_attitude_z, 1.0e-05);
 
     /* accelerometer_bias [m/s^2, in b] */
-    outside |= take_centred(y[10 * stride], 1.0, &in->y_accelerometer_bias_x);
-    outside |= take_centred(y[11 * stride], 1.0, &in->y_accelerometer_bias_y);
-    outside |= take_centred(y[12 * stride], 1.0, &in->y_accelerometer_bias_z);
+    outside |= read_centred(y[10 * stride], 1.0, &in->y_accelerometer_bias_x);
+    outside |= read_centred(y[11 * stride], 1.0, &in->y_accelerometer_bias_y);
+    outside |= read_centred(y[12 * stride], 1.0, &in->y_accelerometer_bias_z);
 
     /* gyro_bias [rad/s, in b] */
-    outside |= take_centred(y[13 * stride], 0.1, &in->y_gyro_bias_x);
-    outside |= take_centred(y[14 * stride], 0.1, &in->y_gyro_bias_y);
-    outside |= take_centred(y[15 * stride], 0.1, &in->y_gyro_bias_z);
+    outside |= read_centred(y[13 * stride], 0.1, &in->y_gyro_bias_x);
+    outside |= read_centred(y[14 * stride], 0.1, &in->y_gyro_bias_y);
+    outside |= read_centred(y[15 * stride], 0.1, &in->y_gyro_bias_z);
 
     /* antenna [m, in b] */
-    outside |= take_centred(y[16 * stride], 10.0, &in->y_antenna_x);
-    outside |= take_centred(y[17 * stride], 10.0, &in->y_antenna_y);
-    outside |= take_centred(y[18 * stride], 10.0, &in->y_antenna_z);
+    outside |= read_centred(y[16 * stride], 10.0, &in->y_antenna_x);
+    outside |= read_centred(y[17 * stride], 10.0, &in->y_antenna_y);
+    outside |= read_centred(y[18 * stride], 10.0, &in->y_antenna_z);
 
     /* b_gps [m] */
-    outside |= take_centred(y[19 * stride], 1000000.0, &in->y_b_gps);
+    outside |= read_centred(y[19 * stride], 1000000.0, &in->y_b_gps);
 
     /* b_galileo [m] */
-    outside |= take_centred(y[20 * stride], 1000000.0, &in->y_b_galileo);
+    outside |= read_centred(y[20 * stride], 1000000.0, &in->y_b_galileo);
 
     /* drift [m/s] */
-    outside |= take_centred(y[21 * stride], 1000000000.0, &in->y_drift);
+    outside |= read_centred(y[21 * stride], 1000000000.0, &in->y_drift);
 
     return ((rover_flag_t)ROVER_RANGE * outside) +
         ((rover_flag_t)ROVER_QNORM * (skewed & ~outside));
@@ -144,50 +144,50 @@ ROVER_INLINE void local_copy(
     local_input_t *in)
 {
 #ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
-    (void)take_centred(x[0], 100000.0, &in->position_x);
-    (void)take_centred(x[stride], 100000.0, &in->position_y);
-    (void)take_centred(x[2 * stride], 100000.0, &in->position_z);
-    (void)take_centred(x[3 * stride], 1000000000.0, &in->velocity_x);
-    (void)take_centred(x[4 * stride], 1000000000.0, &in->velocity_y);
-    (void)take_centred(x[5 * stride], 1000000000.0, &in->velocity_z);
+    (void)read_centred(x[0], 100000.0, &in->position_x);
+    (void)read_centred(x[stride], 100000.0, &in->position_y);
+    (void)read_centred(x[2 * stride], 100000.0, &in->position_z);
+    (void)read_centred(x[3 * stride], 1000000000.0, &in->velocity_x);
+    (void)read_centred(x[4 * stride], 1000000000.0, &in->velocity_y);
+    (void)read_centred(x[5 * stride], 1000000000.0, &in->velocity_z);
     (void)take_centred(x[6 * stride], 1.00001, &in->attitude_w);
     (void)take_centred(x[7 * stride], 1.00001, &in->attitude_x);
     (void)take_centred(x[8 * stride], 1.00001, &in->attitude_y);
     (void)take_centred(x[9 * stride], 1.00001, &in->attitude_z);
-    (void)take_centred(x[10 * stride], 1.0, &in->accelerometer_bias_x);
-    (void)take_centred(x[11 * stride], 1.0, &in->accelerometer_bias_y);
-    (void)take_centred(x[12 * stride], 1.0, &in->accelerometer_bias_z);
-    (void)take_centred(x[13 * stride], 0.1, &in->gyro_bias_x);
-    (void)take_centred(x[14 * stride], 0.1, &in->gyro_bias_y);
-    (void)take_centred(x[15 * stride], 0.1, &in->gyro_bias_z);
-    (void)take_centred(x[16 * stride], 10.0, &in->antenna_x);
-    (void)take_centred(x[17 * stride], 10.0, &in->antenna_y);
-    (void)take_centred(x[18 * stride], 10.0, &in->antenna_z);
-    (void)take_centred(x[19 * stride], 1000000.0, &in->b_gps);
-    (void)take_centred(x[20 * stride], 1000000.0, &in->b_galileo);
-    (void)take_centred(x[21 * stride], 1000000000.0, &in->drift);
-    (void)take_centred(y[0], 100000.0, &in->y_position_x);
-    (void)take_centred(y[stride], 100000.0, &in->y_position_y);
-    (void)take_centred(y[2 * stride], 100000.0, &in->y_position_z);
-    (void)take_centred(y[3 * stride], 1000000000.0, &in->y_velocity_x);
-    (void)take_centred(y[4 * stride], 1000000000.0, &in->y_velocity_y);
-    (void)take_centred(y[5 * stride], 1000000000.0, &in->y_velocity_z);
+    (void)read_centred(x[10 * stride], 1.0, &in->accelerometer_bias_x);
+    (void)read_centred(x[11 * stride], 1.0, &in->accelerometer_bias_y);
+    (void)read_centred(x[12 * stride], 1.0, &in->accelerometer_bias_z);
+    (void)read_centred(x[13 * stride], 0.1, &in->gyro_bias_x);
+    (void)read_centred(x[14 * stride], 0.1, &in->gyro_bias_y);
+    (void)read_centred(x[15 * stride], 0.1, &in->gyro_bias_z);
+    (void)read_centred(x[16 * stride], 10.0, &in->antenna_x);
+    (void)read_centred(x[17 * stride], 10.0, &in->antenna_y);
+    (void)read_centred(x[18 * stride], 10.0, &in->antenna_z);
+    (void)read_centred(x[19 * stride], 1000000.0, &in->b_gps);
+    (void)read_centred(x[20 * stride], 1000000.0, &in->b_galileo);
+    (void)read_centred(x[21 * stride], 1000000000.0, &in->drift);
+    (void)read_centred(y[0], 100000.0, &in->y_position_x);
+    (void)read_centred(y[stride], 100000.0, &in->y_position_y);
+    (void)read_centred(y[2 * stride], 100000.0, &in->y_position_z);
+    (void)read_centred(y[3 * stride], 1000000000.0, &in->y_velocity_x);
+    (void)read_centred(y[4 * stride], 1000000000.0, &in->y_velocity_y);
+    (void)read_centred(y[5 * stride], 1000000000.0, &in->y_velocity_z);
     (void)take_centred(y[6 * stride], 1.00001, &in->y_attitude_w);
     (void)take_centred(y[7 * stride], 1.00001, &in->y_attitude_x);
     (void)take_centred(y[8 * stride], 1.00001, &in->y_attitude_y);
     (void)take_centred(y[9 * stride], 1.00001, &in->y_attitude_z);
-    (void)take_centred(y[10 * stride], 1.0, &in->y_accelerometer_bias_x);
-    (void)take_centred(y[11 * stride], 1.0, &in->y_accelerometer_bias_y);
-    (void)take_centred(y[12 * stride], 1.0, &in->y_accelerometer_bias_z);
-    (void)take_centred(y[13 * stride], 0.1, &in->y_gyro_bias_x);
-    (void)take_centred(y[14 * stride], 0.1, &in->y_gyro_bias_y);
-    (void)take_centred(y[15 * stride], 0.1, &in->y_gyro_bias_z);
-    (void)take_centred(y[16 * stride], 10.0, &in->y_antenna_x);
-    (void)take_centred(y[17 * stride], 10.0, &in->y_antenna_y);
-    (void)take_centred(y[18 * stride], 10.0, &in->y_antenna_z);
-    (void)take_centred(y[19 * stride], 1000000.0, &in->y_b_gps);
-    (void)take_centred(y[20 * stride], 1000000.0, &in->y_b_galileo);
-    (void)take_centred(y[21 * stride], 1000000000.0, &in->y_drift);
+    (void)read_centred(y[10 * stride], 1.0, &in->y_accelerometer_bias_x);
+    (void)read_centred(y[11 * stride], 1.0, &in->y_accelerometer_bias_y);
+    (void)read_centred(y[12 * stride], 1.0, &in->y_accelerometer_bias_z);
+    (void)read_centred(y[13 * stride], 0.1, &in->y_gyro_bias_x);
+    (void)read_centred(y[14 * stride], 0.1, &in->y_gyro_bias_y);
+    (void)read_centred(y[15 * stride], 0.1, &in->y_gyro_bias_z);
+    (void)read_centred(y[16 * stride], 10.0, &in->y_antenna_x);
+    (void)read_centred(y[17 * stride], 10.0, &in->y_antenna_y);
+    (void)read_centred(y[18 * stride], 10.0, &in->y_antenna_z);
+    (void)read_centred(y[19 * stride], 1000000.0, &in->y_b_gps);
+    (void)read_centred(y[20 * stride], 1000000.0, &in->y_b_galileo);
+    (void)read_centred(y[21 * stride], 1000000000.0, &in->y_drift);
 #else
     in->position_x = x[0];
     in->position_y = x[stride];

@@ -50,56 +50,56 @@ ROVER_INLINE rover_flag_t retract_load_lane(
     rover_flag_t skewed = 0U;
 
     /* position [m, in n] */
-    outside |= take_centred(x[0], 100000.0, &in->position_x);
-    outside |= take_centred(x[stride], 100000.0, &in->position_y);
-    outside |= take_centred(x[2 * stride], 100000.0, &in->position_z);
+    outside |= read_centred(x[0], 100000.0, &in->position_x);
+    outside |= read_centred(x[stride], 100000.0, &in->position_y);
+    outside |= read_centred(x[2 * stride], 100000.0, &in->position_z);
 
     /* velocity [m/s, in n] */
-    outside |= take_centred(x[3 * stride], 1000000000.0, &in->velocity_x);
-    outside |= take_centred(x[4 * stride], 1000000000.0, &in->velocity_y);
-    outside |= take_centred(x[5 * stride], 1000000000.0, &in->velocity_z);
+    outside |= read_centred(x[3 * stride], 1000000000.0, &in->velocity_x);
+    outside |= read_centred(x[4 * stride], 1000000000.0, &in->velocity_y);
+    outside |= read_centred(x[5 * stride], 1000000000.0, &in->velocity_z);
 
     /* attitude [b -> n] */
-    outside |= take_centred(x[6 * stride], 1.00001, &in->attitude_w);
-    outside |= take_centred(x[7 * stride], 1.00001, &in->attitude_x);
-    outside |= take_centred(x[8 * stride], 1.00001, &in->attitude_y);
-    outside |= take_centred(x[9 * stride], 1.00001, &in->attitude_z);
+    outside |= read_centred(x[6 * stride], 1.00001, &in->attitude_w);
+    outside |= read_centred(x[7 * stride], 1.00001, &in->attitude_x);
+    outside |= read_centred(x[8 * stride], 1.00001, &in->attitude_y);
+    outside |= read_centred(x[9 * stride], 1.00001, &in->attitude_z);
     skewed |= is_skewed_quaternion(in->attitude_w, in->attitude_x, in->attitude_y, in->attitude_z,
         1.0e-05);
 
     /* accelerometer_bias [m/s^2, in b] */
-    outside |= take_centred(x[10 * stride], 1.0, &in->accelerometer_bias_x);
-    outside |= take_centred(x[11 * stride], 1.0, &in->accelerometer_bias_y);
-    outside |= take_centred(x[12 * stride], 1.0, &in->accelerometer_bias_z);
+    outside |= read_centred(x[10 * stride], 1.0, &in->accelerometer_bias_x);
+    outside |= read_centred(x[11 * stride], 1.0, &in->accelerometer_bias_y);
+    outside |= read_centred(x[12 * stride], 1.0, &in->accelerometer_bias_z);
 
     /* gyro_bias [rad/s, in b] */
-    outside |= take_centred(x[13 * stride], 0.1, &in->gyro_bias_x);
-    outside |= take_centred(x[14 * stride], 0.1, &in->gyro_bias_y);
-    outside |= take_centred(x[15 * stride], 0.1, &in->gyro_bias_z);
+    outside |= read_centred(x[13 * stride], 0.1, &in->gyro_bias_x);
+    outside |= read_centred(x[14 * stride], 0.1, &in->gyro_bias_y);
+    outside |= read_centred(x[15 * stride], 0.1, &in->gyro_bias_z);
 
     /* antenna [m, in b] */
-    outside |= take_centred(x[16 * stride], 10.0, &in->antenna_x);
-    outside |= take_centred(x[17 * stride], 10.0, &in->antenna_y);
-    outside |= take_centred(x[18 * stride], 10.0, &in->antenna_z);
+    outside |= read_centred(x[16 * stride], 10.0, &in->antenna_x);
+    outside |= read_centred(x[17 * stride], 10.0, &in->antenna_y);
+    outside |= read_centred(x[18 * stride], 10.0, &in->antenna_z);
 
     /* b_gps [m] */
-    outside |= take_centred(x[19 * stride], 1000000.0, &in->b_gps);
+    outside |= read_centred(x[19 * stride], 1000000.0, &in->b_gps);
 
     /* b_galileo [m] */
-    outside |= take_centred(x[20 * stride], 1000000.0, &in->b_galileo);
+    outside |= read_centred(x[20 * stride], 1000000.0, &in->b_galileo);
 
     /* drift [m/s] */
-    outside |= take_centred(x[21 * stride], 1000000000.0, &in->drift);
+    outside |= read_centred(x[21 * stride], 1000000000.0, &in->drift);
 
     /* position [m, in n] */
-    outside |= take_centred(d[0], 1000000000.0, &in->d_position_x);
-    outside |= take_centred(d[stride], 1000000000.0, &in->d_position_y);
-    outside |= take_centred(d[2 * stride], 1000000000.0, &in->d_position_z);
+    outside |= read_centred(d[0], 1000000000.0, &in->d_position_x);
+    outside |= read_centred(d[stride], 1000000000.0, &in->d_position_y);
+    outside |= read_centred(d[2 * stride], 1000000000.0, &in->d_position_z);
 
     /* velocity [m/s, in n] */
-    outside |= take_centred(d[3 * stride], 1000000000.0, &in->d_velocity_x);
-    outside |= take_centred(d[4 * stride], 1000000000.0, &in->d_velocity_y);
-    outside |= take_centred(d[5 * stride], 1000000000.0, &in->d_velocity_z);
+    outside |= read_centred(d[3 * stride], 1000000000.0, &in->d_velocity_x);
+    outside |= read_centred(d[4 * stride], 1000000000.0, &in->d_velocity_y);
+    outside |= read_centred(d[5 * stride], 1000000000.0, &in->d_velocity_z);
 
     /* attitude [rad, in b] */
     outside |= take_centred(d[6 * stride], 6.0, &in->d_attitude_x);
@@ -107,28 +107,28 @@ ROVER_INLINE rover_flag_t retract_load_lane(
     outside |= take_centred(d[8 * stride], 6.0, &in->d_attitude_z);
 
     /* accelerometer_bias [m/s^2, in b] */
-    outside |= take_centred(d[9 * stride], 1000000000.0, &in->d_accelerometer_bias_x);
-    outside |= take_centred(d[10 * stride], 1000000000.0, &in->d_accelerometer_bias_y);
-    outside |= take_centred(d[11 * stride], 1000000000.0, &in->d_accelerometer_bias_z);
+    outside |= read_centred(d[9 * stride], 1000000000.0, &in->d_accelerometer_bias_x);
+    outside |= read_centred(d[10 * stride], 1000000000.0, &in->d_accelerometer_bias_y);
+    outside |= read_centred(d[11 * stride], 1000000000.0, &in->d_accelerometer_bias_z);
 
     /* gyro_bias [rad/s, in b] */
-    outside |= take_centred(d[12 * stride], 1000000000.0, &in->d_gyro_bias_x);
-    outside |= take_centred(d[13 * stride], 1000000000.0, &in->d_gyro_bias_y);
-    outside |= take_centred(d[14 * stride], 1000000000.0, &in->d_gyro_bias_z);
+    outside |= read_centred(d[12 * stride], 1000000000.0, &in->d_gyro_bias_x);
+    outside |= read_centred(d[13 * stride], 1000000000.0, &in->d_gyro_bias_y);
+    outside |= read_centred(d[14 * stride], 1000000000.0, &in->d_gyro_bias_z);
 
     /* antenna [m, in b] */
-    outside |= take_centred(d[15 * stride], 1000000000.0, &in->d_antenna_x);
-    outside |= take_centred(d[16 * stride], 1000000000.0, &in->d_antenna_y);
-    outside |= take_centred(d[17 * stride], 1000000000.0, &in->d_antenna_z);
+    outside |= read_centred(d[15 * stride], 1000000000.0, &in->d_antenna_x);
+    outside |= read_centred(d[16 * stride], 1000000000.0, &in->d_antenna_y);
+    outside |= read_centred(d[17 * stride], 1000000000.0, &in->d_antenna_z);
 
     /* b_gps [m] */
-    outside |= take_centred(d[18 * stride], 1000000000.0, &in->d_b_gps);
+    outside |= read_centred(d[18 * stride], 1000000000.0, &in->d_b_gps);
 
     /* b_galileo [m] */
-    outside |= take_centred(d[19 * stride], 1000000000.0, &in->d_b_galileo);
+    outside |= read_centred(d[19 * stride], 1000000000.0, &in->d_b_galileo);
 
     /* drift [m/s] */
-    outside |= take_centred(d[20 * stride], 1000000000.0, &in->d_drift);
+    outside |= read_centred(d[20 * stride], 1000000000.0, &in->d_drift);
 
     return ((rover_flag_t)ROVER_RANGE * outside) +
         ((rover_flag_t)ROVER_QNORM * (skewed & ~outside));
@@ -142,49 +142,49 @@ ROVER_INLINE void retract_copy(
     retract_input_t *in)
 {
 #ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
-    (void)take_centred(x[0], 100000.0, &in->position_x);
-    (void)take_centred(x[stride], 100000.0, &in->position_y);
-    (void)take_centred(x[2 * stride], 100000.0, &in->position_z);
-    (void)take_centred(x[3 * stride], 1000000000.0, &in->velocity_x);
-    (void)take_centred(x[4 * stride], 1000000000.0, &in->velocity_y);
-    (void)take_centred(x[5 * stride], 1000000000.0, &in->velocity_z);
-    (void)take_centred(x[6 * stride], 1.00001, &in->attitude_w);
-    (void)take_centred(x[7 * stride], 1.00001, &in->attitude_x);
-    (void)take_centred(x[8 * stride], 1.00001, &in->attitude_y);
-    (void)take_centred(x[9 * stride], 1.00001, &in->attitude_z);
-    (void)take_centred(x[10 * stride], 1.0, &in->accelerometer_bias_x);
-    (void)take_centred(x[11 * stride], 1.0, &in->accelerometer_bias_y);
-    (void)take_centred(x[12 * stride], 1.0, &in->accelerometer_bias_z);
-    (void)take_centred(x[13 * stride], 0.1, &in->gyro_bias_x);
-    (void)take_centred(x[14 * stride], 0.1, &in->gyro_bias_y);
-    (void)take_centred(x[15 * stride], 0.1, &in->gyro_bias_z);
-    (void)take_centred(x[16 * stride], 10.0, &in->antenna_x);
-    (void)take_centred(x[17 * stride], 10.0, &in->antenna_y);
-    (void)take_centred(x[18 * stride], 10.0, &in->antenna_z);
-    (void)take_centred(x[19 * stride], 1000000.0, &in->b_gps);
-    (void)take_centred(x[20 * stride], 1000000.0, &in->b_galileo);
-    (void)take_centred(x[21 * stride], 1000000000.0, &in->drift);
-    (void)take_centred(d[0], 1000000000.0, &in->d_position_x);
-    (void)take_centred(d[stride], 1000000000.0, &in->d_position_y);
-    (void)take_centred(d[2 * stride], 1000000000.0, &in->d_position_z);
-    (void)take_centred(d[3 * stride], 1000000000.0, &in->d_velocity_x);
-    (void)take_centred(d[4 * stride], 1000000000.0, &in->d_velocity_y);
-    (void)take_centred(d[5 * stride], 1000000000.0, &in->d_velocity_z);
+    (void)read_centred(x[0], 100000.0, &in->position_x);
+    (void)read_centred(x[stride], 100000.0, &in->position_y);
+    (void)read_centred(x[2 * stride], 100000.0, &in->position_z);
+    (void)read_centred(x[3 * stride], 1000000000.0, &in->velocity_x);
+    (void)read_centred(x[4 * stride], 1000000000.0, &in->velocity_y);
+    (void)read_centred(x[5 * stride], 1000000000.0, &in->velocity_z);
+    (void)read_centred(x[6 * stride], 1.00001, &in->attitude_w);
+    (void)read_centred(x[7 * stride], 1.00001, &in->attitude_x);
+    (void)read_centred(x[8 * stride], 1.00001, &in->attitude_y);
+    (void)read_centred(x[9 * stride], 1.00001, &in->attitude_z);
+    (void)read_centred(x[10 * stride], 1.0, &in->accelerometer_bias_x);
+    (void)read_centred(x[11 * stride], 1.0, &in->accelerometer_bias_y);
+    (void)read_centred(x[12 * stride], 1.0, &in->accelerometer_bias_z);
+    (void)read_centred(x[13 * stride], 0.1, &in->gyro_bias_x);
+    (void)read_centred(x[14 * stride], 0.1, &in->gyro_bias_y);
+    (void)read_centred(x[15 * stride], 0.1, &in->gyro_bias_z);
+    (void)read_centred(x[16 * stride], 10.0, &in->antenna_x);
+    (void)read_centred(x[17 * stride], 10.0, &in->antenna_y);
+    (void)read_centred(x[18 * stride], 10.0, &in->antenna_z);
+    (void)read_centred(x[19 * stride], 1000000.0, &in->b_gps);
+    (void)read_centred(x[20 * stride], 1000000.0, &in->b_galileo);
+    (void)read_centred(x[21 * stride], 1000000000.0, &in->drift);
+    (void)read_centred(d[0], 1000000000.0, &in->d_position_x);
+    (void)read_centred(d[stride], 1000000000.0, &in->d_position_y);
+    (void)read_centred(d[2 * stride], 1000000000.0, &in->d_position_z);
+    (void)read_centred(d[3 * stride], 1000000000.0, &in->d_velocity_x);
+    (void)read_centred(d[4 * stride], 1000000000.0, &in->d_velocity_y);
+    (void)read_centred(d[5 * stride], 1000000000.0, &in->d_velocity_z);
     (void)take_centred(d[6 * stride], 6.0, &in->d_attitude_x);
     (void)take_centred(d[7 * stride], 6.0, &in->d_attitude_y);
     (void)take_centred(d[8 * stride], 6.0, &in->d_attitude_z);
-    (void)take_centred(d[9 * stride], 1000000000.0, &in->d_accelerometer_bias_x);
-    (void)take_centred(d[10 * stride], 1000000000.0, &in->d_accelerometer_bias_y);
-    (void)take_centred(d[11 * stride], 1000000000.0, &in->d_accelerometer_bias_z);
-    (void)take_centred(d[12 * stride], 1000000000.0, &in->d_gyro_bias_x);
-    (void)take_centred(d[13 * stride], 1000000000.0, &in->d_gyro_bias_y);
-    (void)take_centred(d[14 * stride], 1000000000.0, &in->d_gyro_bias_z);
-    (void)take_centred(d[15 * stride], 1000000000.0, &in->d_antenna_x);
-    (void)take_centred(d[16 * stride], 1000000000.0, &in->d_antenna_y);
-    (void)take_centred(d[17 * stride], 1000000000.0, &in->d_antenna_z);
-    (void)take_centred(d[18 * stride], 1000000000.0, &in->d_b_gps);
-    (void)take_centred(d[19 * stride], 1000000000.0, &in->d_b_galileo);
-    (void)take_centred(d[20 * stride], 1000000000.0, &in->d_drift);
+    (void)read_centred(d[9 * stride], 1000000000.0, &in->d_accelerometer_bias_x);
+    (void)read_centred(d[10 * stride], 1000000000.0, &in->d_accelerometer_bias_y);
+    (void)read_centred(d[11 * stride], 1000000000.0, &in->d_accelerometer_bias_z);
+    (void)read_centred(d[12 * stride], 1000000000.0, &in->d_gyro_bias_x);
+    (void)read_centred(d[13 * stride], 1000000000.0, &in->d_gyro_bias_y);
+    (void)read_centred(d[14 * stride], 1000000000.0, &in->d_gyro_bias_z);
+    (void)read_centred(d[15 * stride], 1000000000.0, &in->d_antenna_x);
+    (void)read_centred(d[16 * stride], 1000000000.0, &in->d_antenna_y);
+    (void)read_centred(d[17 * stride], 1000000000.0, &in->d_antenna_z);
+    (void)read_centred(d[18 * stride], 1000000000.0, &in->d_b_gps);
+    (void)read_centred(d[19 * stride], 1000000000.0, &in->d_b_galileo);
+    (void)read_centred(d[20 * stride], 1000000000.0, &in->d_drift);
 #else
     in->position_x = x[0];
     in->position_y = x[stride];

@@ -82,7 +82,7 @@ SINGLE_POINT_INLINE single_point_flag_t broadcast_orbit_load_lane(
     outside |= take_value(toe[0], 0.0, 604800.0, &in->toe);
 
     /* toc [s] */
-    outside |= take_value(toc[0], 0.0, 604800.0, &in->toc);
+    outside |= read_value(toc[0], 0.0, 604800.0, &in->toc);
 
     /* sqrt_a [m^1/2] */
     outside |= take_value(sqrt_a[0], 4000.0, 7000.0, &in->sqrt_a);
@@ -118,10 +118,10 @@ SINGLE_POINT_INLINE single_point_flag_t broadcast_orbit_load_lane(
     outside |= take_centred(cus[0], 0.001, &in->cus);
 
     /* crc [m] */
-    outside |= take_centred(crc[0], 10000.0, &in->crc);
+    outside |= read_centred(crc[0], 10000.0, &in->crc);
 
     /* crs [m] */
-    outside |= take_centred(crs[0], 10000.0, &in->crs);
+    outside |= read_centred(crs[0], 10000.0, &in->crs);
 
     /* cic [rad] */
     outside |= take_centred(cic[0], 0.001, &in->cic);
@@ -130,16 +130,16 @@ SINGLE_POINT_INLINE single_point_flag_t broadcast_orbit_load_lane(
     outside |= take_centred(cis[0], 0.001, &in->cis);
 
     /* af0 [s] */
-    outside |= take_centred(af0[0], 0.1, &in->af0);
+    outside |= read_centred(af0[0], 0.1, &in->af0);
 
     /* af1 */
-    outside |= take_centred(af1[0], 1.0e-06, &in->af1);
+    outside |= read_centred(af1[0], 1.0e-06, &in->af1);
 
     /* af2 [1/s] */
-    outside |= take_centred(af2[0], 1.0e-09, &in->af2);
+    outside |= read_centred(af2[0], 1.0e-09, &in->af2);
 
     /* group_delay [s] */
-    outside |= take_centred(group_delay[0], 1.0e-05, &in->group_delay);
+    outside |= read_centred(group_delay[0], 1.0e-05, &in->group_delay);
 
     return (single_point_flag_t)SINGLE_POINT_RANGE * outside;
 }
@@ -173,7 +173,7 @@ SINGLE_POINT_INLINE void broadcast_orbit_copy(
 #ifdef __FRAMAC__ /* Eva does not carry it from one pass to the next: selected once more. */
     (void)take_value(time_2[0], -3600.0, 608400.0, &in->time_2);
     (void)take_value(toe[0], 0.0, 604800.0, &in->toe);
-    (void)take_value(toc[0], 0.0, 604800.0, &in->toc);
+    (void)read_value(toc[0], 0.0, 604800.0, &in->toc);
     (void)take_value(sqrt_a[0], 4000.0, 7000.0, &in->sqrt_a);
     (void)take_value(eccentricity[0], 0.0, 0.1, &in->eccentricity);
     (void)take_centred(mean_anomaly[0], 3.2, &in->mean_anomaly);
@@ -185,14 +185,14 @@ SINGLE_POINT_INLINE void broadcast_orbit_copy(
     (void)take_centred(argument_of_perigee[0], 3.2, &in->argument_of_perigee);
     (void)take_centred(cuc[0], 0.001, &in->cuc);
     (void)take_centred(cus[0], 0.001, &in->cus);
-    (void)take_centred(crc[0], 10000.0, &in->crc);
-    (void)take_centred(crs[0], 10000.0, &in->crs);
+    (void)read_centred(crc[0], 10000.0, &in->crc);
+    (void)read_centred(crs[0], 10000.0, &in->crs);
     (void)take_centred(cic[0], 0.001, &in->cic);
     (void)take_centred(cis[0], 0.001, &in->cis);
-    (void)take_centred(af0[0], 0.1, &in->af0);
-    (void)take_centred(af1[0], 1.0e-06, &in->af1);
-    (void)take_centred(af2[0], 1.0e-09, &in->af2);
-    (void)take_centred(group_delay[0], 1.0e-05, &in->group_delay);
+    (void)read_centred(af0[0], 0.1, &in->af0);
+    (void)read_centred(af1[0], 1.0e-06, &in->af1);
+    (void)read_centred(af2[0], 1.0e-09, &in->af2);
+    (void)read_centred(group_delay[0], 1.0e-05, &in->group_delay);
 #else
     in->time_2 = time_2[0];
     in->toe = toe[0];
