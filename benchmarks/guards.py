@@ -1,11 +1,10 @@
 """What guards cost: guarded over unguarded C of every shipped model, timed in turn.
 
 usage: python benchmarks/guards.py [--flags o2|v3|native] [--items N] [--only MODEL,...]
-                                   [--rounds N]
+                                   [--patience SECONDS]
 
-A processor that is shared is slow for seconds or minutes at a time, and slower for guards, which
-keep its arithmetic units busy, than for kernels, which wait for roots and quotients. A round times
-every function once; the round with the median cost of a number is printed, function by function.
+A function whose bursts never had a core to themselves for so long is marked; its times are not to
+be trusted: guards keep arithmetic units busy, and what shares the core does so as well.
 """
 
 from __future__ import annotations
@@ -15,7 +14,6 @@ import sys
 import tempfile
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import chain
 from pathlib import Path
 
 import numpy as np
@@ -25,9 +23,12 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from symnav import ir, pipeline
 from symnav.bench.adapters import EPOCHS, Entries
 from symnav.bench.candidate import Candidate
-from symnav.bench.program import FLAG_SETS, Array, built, run
+from symnav.bench.program import FLAG_SETS, Array, Quiet, built, most_room, run
 from symnav.spec.records import Spec
 from symnav.verify.records import records
+
+How = tuple[str, int, int, Quiet]
+"""Flags, items, bursts of each function, and what is waited for."""
 
 
 @dataclass(frozen=True)
@@ -40,6 +41,7 @@ class Cost:
         scalars: numbers one call checks.
         bare: nanoseconds without guards.
         guarded: nanoseconds with them.
+        alone: True when a core did nothing else meanwhile.
     """
 
     model: str
@@ -47,6 +49,7 @@ class Cost:
     scalars: int
     bare: float
     guarded: float
+    alone: bool
 
     @property
     def each(self) -> float:
@@ -60,23 +63,22 @@ def main() -> None:
     parser.add_argument("--flags", choices=tuple(FLAG_SETS), default="v3")
     parser.add_argument("--items", type=int, default=8, help="satellites of a mapped function")
     parser.add_argument("--only", default="", help="models, separated by commas")
-    parser.add_argument("--rounds", type=int, default=1, help="of all functions, one after another")
-    parser.add_argument("--repetitions", type=int, default=15)
+    parser.add_argument("--patience", type=float, default=60.0, help="seconds to wait for a core")
+    parser.add_argument("--repetitions", type=int, default=25)
     options = parser.parse_args()
-    if options.rounds < 1:
-        parser.error("--rounds must be 1 or more")
     names = options.only.split(",") if options.only else [name for name, _ in pipeline.shipped()]
-    rounds: list[list[Cost]] = []
-    for number in range(options.rounds):
-        found = (measured(n, options.flags, options.items, options.repetitions) for n in names)
-        rounds.append(list(chain.from_iterable(found)))
-        print(f"round {number + 1}: {average(rounds[-1]):.2f} ns a scalar", file=sys.stderr)
-    costs = [median(times) for times in zip(*rounds, strict=True)]
+    with tempfile.TemporaryDirectory() as folder:
+        quiet = Quiet(most_room(options.patience / 3, Path(folder)), options.patience)
+    how = (options.flags, options.items, options.repetitions, quiet)
+    costs: list[Cost] = []
     print(f"{'model':24} {'function':28} scalars  bare ns  guarded ns  ns a scalar")
-    for cost in costs:
+    for cost in (one for name in names for one in measured(name, how)):
+        costs.append(cost)
+        mark = "" if cost.alone else "  shared"
         print(
             f"{cost.model:24} {cost.function:28} {cost.scalars:7} {cost.bare:8.1f} "
-            f"{cost.guarded:11.1f} {cost.each:12.2f}"
+            f"{cost.guarded:11.1f} {cost.each:12.2f}{mark}",
+            flush=True,
         )
     print(f"average of {len(costs)}: {average(costs):.2f} ns a scalar")
 
@@ -86,12 +88,7 @@ def average(costs: Sequence[Cost]) -> float:
     return float(np.mean([cost.each for cost in costs]))
 
 
-def median(costs: Sequence[Cost]) -> Cost:
-    """The round in which a checked number cost the median; of two in the middle, the dearer."""
-    return sorted(costs, key=lambda cost: cost.each)[len(costs) // 2]
-
-
-def measured(name: str, flags: str, items: int, repetitions: int) -> Iterator[Cost]:
+def measured(name: str, how: How) -> Iterator[Cost]:
     """Every measurement and correction of a shipped model that can be left unguarded."""
     spec = pipeline.load(name)
     bare = replace(spec, entries=tuple(replace(e, guards="assume") for e in spec.entries))
@@ -99,10 +96,10 @@ def measured(name: str, flags: str, items: int, repetitions: int) -> Iterator[Co
         with_guards = _functions(spec, Path(folder) / "guarded")
         without = _functions(bare, Path(folder) / "bare")
         numpy = pipeline.import_package(Path(folder) / "guarded" / spec.name).numpy
-        given = records(spec, pipeline.derive(spec).entries, numpy, items)
+        given = records(spec, pipeline.derive(spec).entries, numpy, how[1])
         for function, inputs in given.items():
             pair = (without[function], with_guards[function])
-            yield _timed(name, pair, inputs, Path(folder), (flags, items, repetitions))
+            yield _timed(name, pair, inputs, Path(folder), how)
 
 
 def _functions(spec: Spec, folder: Path) -> dict[str, Entries]:
@@ -119,17 +116,17 @@ def _timed(
     pair: tuple[Entries, Entries],
     inputs: Array,
     folder: Path,
-    how: tuple[str, int, int],
+    how: How,
 ) -> Cost:
-    flags, items, repetitions = how
+    flags, items, repetitions, quiet = how
     name = pair[0].function.name
     count = min(items, pair[0].function.maximum or items)
     bare, guarded = (replace(entries, items=count) for entries in pair)
     candidates = [_candidate(bare, "bare"), _candidate(guarded, "guarded")]
     program = built(candidates, flags, folder / name)
-    taken = run(program, np.resize(inputs, (EPOCHS, bare.record)), repetitions)
+    taken = run(program, np.resize(inputs, (EPOCHS, bare.record)), repetitions, quiet)
     scalars = sum(checked(a) * (bare.count if a.item else 1) for a in guarded.function.arguments)
-    return Cost(model, name, scalars, taken.ns["bare"], taken.ns["guarded"])
+    return Cost(model, name, scalars, taken.ns["bare"], taken.ns["guarded"], taken.alone)
 
 
 def _candidate(entries: Entries, name: str) -> Candidate:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shutil
 import subprocess
+import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,7 +15,7 @@ import numpy as np
 from benchmarks.contestants.contestant import Contestant
 from benchmarks.lines import lines_of_code
 from benchmarks.problems import Functions, Problem
-from symnav.bench.program import Array, built, code_bytes, run, stack_bytes
+from symnav.bench.program import Array, Quiet, built, code_bytes, run, stack_bytes
 
 HERE = Path(__file__).parent
 RECORDS = 64
@@ -46,6 +47,7 @@ def measure(
     flags: str,
     folder: Path,
     repetitions: int,
+    quiet: Quiet,
 ) -> dict[str, Figures]:
     """Build, compare and time the contestants of one problem.
 
@@ -55,7 +57,9 @@ def measure(
     candidates = [contestant.candidate for contestant in contestants]
     program = built(candidates, flags, folder)
     inputs = records(problem)
-    taken = run(program, inputs, repetitions)
+    taken = run(program, inputs, repetitions, quiet)
+    if not taken.alone:
+        print(f"{problem.name}: the processor was shared all the time", file=sys.stderr)
     compare(problem, contestants, inputs, taken.outputs)
     return {
         candidate.name: Figures(

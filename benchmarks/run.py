@@ -27,7 +27,7 @@ from benchmarks.contestants import (
 from benchmarks.contestants.contestant import Contestant
 from benchmarks.measuring import Figures, measure, records
 from benchmarks.problems import PROBLEMS, Problem
-from symnav.bench.program import FLAG_SETS
+from symnav.bench.program import FLAG_SETS, Quiet, most_room
 
 WRITERS = (symnav_code, casadi_code, symforce_code, sympy_code, hand_code, floor_code)
 
@@ -39,16 +39,18 @@ def main() -> None:
     parser.add_argument("--json", type=Path, metavar="FILE", help="write the figures here")
     parser.add_argument("--only", default="", help="models, separated by commas")
     parser.add_argument("--repetitions", type=int, default=15)
+    parser.add_argument("--patience", type=float, default=90.0, help="seconds to wait for a core")
     parser.add_argument("--no-python", action="store_true", help="leave out calls from Python")
     options = parser.parse_args()
     chosen = [p for p in PROBLEMS if not options.only or p.name in options.only.split(",")]
     results: dict[str, dict[str, Figures]] = {}
     with tempfile.TemporaryDirectory() as folder:
+        quiet = Quiet(most_room(options.patience / 3, Path(folder)), options.patience)
         for problem in chosen:
             place = Path(folder) / problem.name
             field = list(contestants(problem, place))
             results[problem.name] = measure(
-                problem, field, options.flags, place, options.repetitions
+                problem, field, options.flags, place, options.repetitions, quiet
             )
             if not options.no_python:
                 calls = python_calls.measure(
