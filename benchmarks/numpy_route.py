@@ -1,6 +1,7 @@
 """The NumPy route against SymPy's ``lambdify``, for one epoch and for many.
 
 usage: python benchmarks/numpy_route.py [--json FILE] [--only MODEL,...] [--repetitions N]
+                                        [--patience SECONDS]
 
 Every row is one call, interleaved with the others of its size in one process. NumPy's are timed by
 the processor time of their thread, which other work on the machine disturbs least:
@@ -41,6 +42,7 @@ from benchmarks.contestants.symnav_code import FUNCTION
 from benchmarks.measuring import records
 from benchmarks.problems import PROBLEMS, Problem
 from benchmarks.python_calls import Array, Call, arguments, lambdified
+from benchmarks.quiet import Core, core
 from symnav import pipeline
 
 SIZES = (1, 1024, 100_000)
@@ -55,17 +57,21 @@ def main() -> None:
     parser.add_argument("--json", type=Path, metavar="FILE", help="write the figures here")
     parser.add_argument("--only", default=",".join(MODELS), help="models, separated by commas")
     parser.add_argument("--repetitions", type=int, default=python_calls.REPETITIONS)
+    parser.add_argument("--patience", type=float, default=90.0, help="seconds to wait for a core")
     options = parser.parse_args()
     figures: dict[str, dict[str, dict[str, float]]] = {}
     with tempfile.TemporaryDirectory() as folder:
+        own = core(Path(folder), options.patience)
         for problem in (p for p in PROBLEMS if p.name in options.only.split(",")):
-            figures[problem.name] = measure(problem, Path(folder), options.repetitions)
+            figures[problem.name] = measure(problem, Path(folder), own, options.repetitions)
             print_table(problem.name, figures[problem.name])
     if options.json:
         options.json.write_text(json.dumps(figures, indent=2) + "\n", encoding="utf-8")
 
 
-def measure(problem: Problem, folder: Path, repetitions: int) -> dict[str, dict[str, float]]:
+def measure(
+    problem: Problem, folder: Path, core: Core, repetitions: int
+) -> dict[str, dict[str, float]]:
     """Nanoseconds per epoch by number of epochs and by way."""
     function = imported(problem, folder / problem.name, assume=False)
     unguarded = imported(problem, folder / f"{problem.name}_assume", assume=True)
@@ -79,6 +85,7 @@ def measure(problem: Problem, folder: Path, repetitions: int) -> dict[str, dict[
             for jax in (False, True)
             for name, ns in python_calls.timed(
                 {n: (call, epochs) for n, call in named.items() if n.startswith("jax") is jax},
+                core,
                 repetitions,
                 time.perf_counter_ns if jax else time.thread_time_ns,
             ).items()

@@ -27,7 +27,8 @@ from benchmarks.contestants import (
 from benchmarks.contestants.contestant import Contestant
 from benchmarks.measuring import Figures, measure, records
 from benchmarks.problems import PROBLEMS, Problem
-from symnav.bench.program import FLAG_SETS, Quiet, most_room
+from benchmarks.quiet import core
+from symnav.bench.program import FLAG_SETS
 
 WRITERS = (symnav_code, casadi_code, symforce_code, sympy_code, hand_code, floor_code)
 
@@ -45,16 +46,20 @@ def main() -> None:
     chosen = [p for p in PROBLEMS if not options.only or p.name in options.only.split(",")]
     results: dict[str, dict[str, Figures]] = {}
     with tempfile.TemporaryDirectory() as folder:
-        quiet = Quiet(most_room(options.patience / 3, Path(folder)), options.patience)
+        own = core(Path(folder), options.patience)
         for problem in chosen:
             place = Path(folder) / problem.name
             field = list(contestants(problem, place))
             results[problem.name] = measure(
-                problem, field, options.flags, place, options.repetitions, quiet
+                problem, field, options.flags, place, options.repetitions, own.quiet
             )
             if not options.no_python:
                 calls = python_calls.measure(
-                    problem, place / "python", records(problem), native=options.flags == "native"
+                    problem,
+                    place / "python",
+                    records(problem),
+                    own,
+                    native=options.flags == "native",
                 )
                 results[problem.name] |= {name: Figures(ns) for name, ns in calls.items()}
             print_table(problem.name, results[problem.name])

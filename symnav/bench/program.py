@@ -13,7 +13,8 @@ from __future__ import annotations
 
 import statistics
 import time
-from collections.abc import Mapping, Sequence
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -101,10 +102,7 @@ class Run:
     @property
     def ns(self) -> Mapping[str, float]:
         """Median time of one evaluation, by candidate."""
-        return {
-            name: round(statistics.median(burst.ns for burst in bursts), 3)
-            for name, bursts in self.bursts.items()
-        }
+        return {name: median(bursts) for name, bursts in self.bursts.items()}
 
 
 def built(candidates: Sequence[Candidate], flags: str, folder: Path) -> Program:
@@ -144,17 +142,47 @@ def run(program: Program, records: Array, repetitions: int, quiet: Quiet = Quiet
     given, taken = folder / "inputs.bin", folder / "outputs.bin"
     np.concatenate([np.array(records.shape, float), records.ravel()]).tofile(given)
     command = (str(program.executable), str(repetitions), str(given), str(taken))
-    bursts: dict[str, list[Burst]] = {candidate.name: [] for candidate in program.candidates}
-    end = time.monotonic() + quiet.seconds
-    while True:
+
+    def timed() -> Iterator[tuple[str, Burst]]:
         for line in said(*command).splitlines():
             name, nanoseconds, room = line.split()
-            bursts[name].append(Burst(float(nanoseconds), float(room)))
-        best = {name: _best(found, repetitions) for name, found in bursts.items()}
-        rooms = [burst.room for chosen in best.values() for burst in chosen]
-        alone = min(rooms) >= quiet.room
-        if alone or time.monotonic() > end:
-            return Run(best, _outputs(program, len(records), np.fromfile(taken)), alone)
+            yield name, Burst(float(nanoseconds), float(room))
+
+    best, alone = quietest(timed, repetitions, quiet)
+    return Run(best, _outputs(program, len(records), np.fromfile(taken)), alone)
+
+
+def quietest(
+    timed: Callable[[], Iterable[tuple[str, Burst]]], count: int, quiet: Quiet
+) -> tuple[dict[str, list[Burst]], bool]:
+    """Of bursts that are timed again and again, those with most of a core.
+
+    Args:
+        timed: a burst or more of every name, in turn.
+        count: bursts of each name.
+        quiet: what is waited for.
+
+    Returns:
+        The bursts of each name, and whether all of them had a core to themselves.
+    """
+    bursts: dict[str, list[Burst]] = defaultdict(list)
+    end = time.monotonic() + quiet.seconds
+    while True:
+        for name, burst in timed():
+            bursts[name].append(burst)
+        best = {
+            name: sorted(found, key=lambda burst: burst.room, reverse=True)[:count]
+            for name, found in bursts.items()
+        }
+        alone = all(len(b) == count and b[-1].room >= quiet.room for b in best.values())
+        over = time.monotonic() > end and all(len(b) == count for b in best.values())
+        if alone or over:
+            return best, alone
+
+
+def median(bursts: Sequence[Burst]) -> float:
+    """Of the times of some bursts, in nanoseconds."""
+    return round(statistics.median(burst.ns for burst in bursts), 3)
 
 
 def most_room(seconds: float, folder: Path) -> float:

@@ -1,0 +1,43 @@
+"""When a core is ours alone, for what is timed in this process."""
+
+from __future__ import annotations
+
+import ctypes
+import subprocess
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from symnav.bench.program import Quiet, most_room
+from symnav.emit.templates import directory
+
+
+@dataclass(frozen=True)
+class Core:
+    """The core this process runs on.
+
+    Attributes:
+        quiet: what counts as ours alone, and how long to wait for that.
+        room: how much of it is ours now.
+    """
+
+    quiet: Quiet
+    room: Callable[[], float]
+
+
+def core(folder: Path, patience: float) -> Core:
+    """Look for a third of the patience at what the core does for us at best.
+
+    Args:
+        folder: for what is compiled.
+        patience: seconds to wait for a core to itself, for everything that is timed together.
+    """
+    quiet = Quiet(most_room(patience / 3, folder), patience)
+    source, library = folder / "room_of.c", folder / "room_of.so"
+    source.write_text('#include "room.h"\n\ndouble room_of(void) { return room(); }\n')
+    include = f"-I{directory() / 'bench'}"
+    shared = ["-O2", "-std=gnu11", "-shared", "-fPIC", include]
+    subprocess.run(["gcc", *shared, str(source), "-o", str(library)], check=True)
+    room_of = ctypes.CDLL(str(library)).room_of
+    room_of.restype = ctypes.c_double
+    return Core(quiet, room_of)
