@@ -184,6 +184,21 @@ def python_calls(figures: Figures) -> Iterator[str]:
             for n in names
         ],
     )
+    yield "Above the C of the package, `symnav_packaged`:"
+    yield ""
+    yield from table(
+        ["way", *MODELS],
+        [
+            [
+                f"`{name}`",
+                *(
+                    number(figures[m][name]["ns"] - figures[m]["symnav_packaged"]["ns"])
+                    for m in MODELS
+                ),
+            ]
+            for name in ("python_bound", "python_checked")
+        ],
+    )
     stream, copy = (figures["gps"][n]["ns"] for n in ("stream_native", "stream_copy"))
     yield (
         f"A million epochs of gps from row-major arrays take {number(stream)} ns each; a copy of "

@@ -12,6 +12,7 @@ from benchmarks.problems import Problem
 from symnav import ir, pipeline
 from symnav.bench.adapters import EPOCHS, Entries
 from symnav.bench.candidate import Candidate
+from symnav.build.compiler import FLAGS, dispatch_flags, find_compiler
 from symnav.emit import c
 from symnav.emit.lanes import lanes_of
 from symnav.lower.module import module
@@ -39,6 +40,10 @@ def contestants(problem: Problem, folder: Path) -> Iterator[Contestant]:
             candidate=entries.dense(f"symnav_dense{mark}"),
             order=_dense(problem, 1),
         )
+        if guarded:
+            own = replace(entries, label=f"{entries.label}_packaged").dense("symnav_packaged")
+            packaged = replace(own, flags=package_flags())
+            yield Contestant(problem=problem, candidate=packaged, order=_dense(problem, 1))
         yield Contestant(
             problem=problem,
             candidate=entries.batch(f"symnav_batch{mark}"),
@@ -55,6 +60,11 @@ def contestants(problem: Problem, folder: Path) -> Iterator[Contestant]:
                 candidate=entries.blocks(f"symnav_blocks{mark}"),
                 order=_blocks(problem, lanes_of(entries.function)),
             )
+
+
+def package_flags() -> tuple[str, ...]:
+    """Flags of a package that is built for machines unknown, whatever stands before them."""
+    return (*FLAGS, *dispatch_flags(find_compiler()), "-march=x86-64")
 
 
 def in_single(problem: Problem, folder: Path) -> Iterator[Contestant]:

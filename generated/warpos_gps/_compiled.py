@@ -73,19 +73,19 @@ class CompiledFunction(BatchFunction):
             return self._bound_batch(arrays, extent, out)
         items = self._item_status(extent)
         memory = (np.ndarray, *arrays, *out, *items)
-        straight = partial(self._library.straight(self.signature.name), id(memory))
+        straight, place = self._library.straight(self.signature.name), id(memory)
         first, *rest = map(self._pointer, memory[1:])
         run = partial(self._entries[Part.ALL], first, *numbers(extent), *rest)
         item_status = items[0] if items else None
         done = self.result(Evaluation(out, Status.OK, item_status), arrays)
 
         def call() -> Any:
-            status = straight()
-            if status == UNFIT:
-                status = run()
-            if status:
-                return self.result(Evaluation(out, Status(status), item_status), arrays)
-            return done
+            status = straight(place)
+            if not status:
+                return done
+            if status == UNFIT and not (status := run()):
+                return done
+            return self.result(Evaluation(out, Status(status), item_status), arrays)
 
         call.__dict__["memory"] = memory  # lives as long as its address is used
         return call

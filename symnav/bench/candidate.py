@@ -20,6 +20,7 @@ class Candidate:
         include: directories of its headers.
         root: the function whose code and stack are reported; the adapter where it is empty.
         epochs: records one call reads, one after another.
+        flags: for the compiler, after those that all candidates share.
     """
 
     name: str
@@ -30,6 +31,7 @@ class Candidate:
     include: tuple[Path, ...] = ()
     root: str = ""
     epochs: int = 1
+    flags: tuple[str, ...] = ()
 
     @property
     def measured(self) -> str:

@@ -221,8 +221,17 @@ def _compiled(candidate: Candidate, flags: Sequence[str], folder: Path) -> Path:
     source.write_text(candidate.source, encoding="utf-8")
     target = source.with_suffix(".o")
     include = [f"-I{place}" for place in candidate.include]
-    command = [*COMPILERS[candidate.language], *flags, "-ffunction-sections", "-fstack-usage"]
-    said(*command, *include, "-c", str(source), "-o", str(target))
+    command = [*COMPILERS[candidate.language], *flags, *candidate.flags]
+    said(
+        *command,
+        "-ffunction-sections",
+        "-fstack-usage",
+        *include,
+        "-c",
+        str(source),
+        "-o",
+        str(target),
+    )
     return target
 
 
