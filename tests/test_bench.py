@@ -13,7 +13,7 @@ from click.testing import CliRunner
 from symnav import pipeline
 from symnav.bench import Row, compared
 from symnav.bench.adapters import EPOCHS, Entries
-from symnav.bench.program import built, run
+from symnav.bench.program import Burst, Quiet, built, median, most_room, quietest, run
 from symnav.cli import main
 from symnav.verify.records import records
 
@@ -56,6 +56,26 @@ def test_adapters_call_what_they_say(name: str, tmp_path: Path) -> None:
     plain = np.hstack([v.reshape(EPOCHS, -1) for v in values[:-1]])
     assert np.abs(taken.outputs["nonzeros"][:, : plain.shape[1]] - plain).max() < 1e-12 * scale
     assert set(taken.ns) == {"dense", "nonzeros", "batch"} and min(taken.ns.values()) > 0.0
+
+
+def test_bursts_with_most_of_a_core_count() -> None:
+    """Those that shared it are left out as soon as there are enough others."""
+    rounds = iter([Burst(30.0, 2.1), Burst(10.0, 4.6), Burst(29.0, 2.2), Burst(12.0, 4.7)])
+    taken = quietest(lambda: [("one", next(rounds))], 2, Quiet(4.5, 60.0))
+    assert taken == ({"one": [Burst(12.0, 4.7), Burst(10.0, 4.6)]}, True)
+    assert median(taken[0]["one"]) == 11.0 and next(rounds, None) is None
+
+
+def test_a_core_that_stays_shared_is_told() -> None:
+    """There are as many bursts as were asked for, the best of them, after the patience is over."""
+    rooms = iter([2.1, 2.4, 2.2, 2.3])
+    taken, alone = quietest(lambda: [("one", Burst(30.0, next(rooms)))], 3, Quiet(3.5, 0.0))
+    assert not alone and [burst.room for burst in taken["one"]] == [2.4, 2.2, 2.1]
+
+
+def test_room_of_this_machine(tmp_path: Path) -> None:
+    """Additions in a cycle: fewer than any processor does, more than a fourth of one."""
+    assert 0.2 < most_room(0.2, tmp_path) < 16.0
 
 
 def test_verb(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
