@@ -93,6 +93,17 @@ def test_verb(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     assert plain.exit_code == 0 and "nonzeros" in plain.stdout
 
 
+def test_verb_says_what_shared_its_core(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Times that are too long are not passed over."""
+    monkeypatch.setenv("SYMNAV_CACHE_DIR", str(tmp_path))
+    alone, shared = (Row(n, "dense", None, 10.0, 1, 1, 1, alone=n == "f") for n in "fg")
+    monkeypatch.setattr("symnav.bench.bench", lambda *_, **__: [alone, shared])
+    said = CliRunner().invoke(main, ["bench", "warpos_gps"]).stdout.splitlines()[-1]
+    assert said == "The core did something else while g ran: these times are too long."
+    monkeypatch.setattr("symnav.bench.bench", lambda *_, **__: [alone])
+    assert "too long" not in CliRunner().invoke(main, ["bench", "warpos_gps"]).stdout
+
+
 def test_only_the_same_is_compared(tmp_path: Path) -> None:
     """Another number of items or other flags have no history."""
     file = tmp_path / "spec.json"

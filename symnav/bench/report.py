@@ -30,6 +30,7 @@ class Row:
         code: bytes of machine code.
         stack: bytes of stack.
         change: time now over time at the last run with the same flags, or None.
+        alone: True when the core did nothing else meanwhile, as far as that can be told.
     """
 
     function: str
@@ -40,6 +41,7 @@ class Row:
     code: int
     stack: int
     change: float | None = None
+    alone: bool = True
 
 
 def measure(
@@ -127,6 +129,7 @@ def _rows(
             count_operations(function).total(entries.count),
             code_bytes(candidate, item),
             stack_bytes(candidate, item),
+            alone=taken.alone,
         )
         for candidate, item in zip(program.candidates, program.objects, strict=True)
     ]

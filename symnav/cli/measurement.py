@@ -69,3 +69,7 @@ def bench(spec: str, flags: str, items: int, repetitions: int, as_json: bool) ->
         for row in rows
     ]  # fmt: skip
     show_columns(table)
+    shared = sorted({row.function for row in rows if not row.alone})
+    if shared:
+        names = ", ".join(shared)
+        click.echo(f"The core did something else while {names} ran: these times are too long.")
