@@ -23,7 +23,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from symnav import ir, pipeline
 from symnav.bench.adapters import EPOCHS, Entries
 from symnav.bench.candidate import Candidate
-from symnav.bench.program import FLAG_SETS, Array, Quiet, built, most_room, run
+from symnav.bench.program import FLAG_SETS, Array, built, run
+from symnav.bench.quiet import Quiet, least_room
 from symnav.spec.records import Spec
 from symnav.verify.records import records
 
@@ -66,9 +67,11 @@ def main() -> None:
     parser.add_argument("--patience", type=float, default=60.0, help="seconds to wait for a core")
     parser.add_argument("--repetitions", type=int, default=25)
     options = parser.parse_args()
+    if options.repetitions < 1:
+        parser.error("--repetitions must be 1 or more")
     names = options.only.split(",") if options.only else [name for name, _ in pipeline.shipped()]
     with tempfile.TemporaryDirectory() as folder:
-        quiet = Quiet(most_room(options.patience / 3, Path(folder)), options.patience)
+        quiet = Quiet(least_room(options.patience / 3, Path(folder)), options.patience)
     how = (options.flags, options.items, options.repetitions, quiet)
     costs: list[Cost] = []
     print(f"{'model':24} {'function':28} scalars  bare ns  guarded ns  ns a scalar")

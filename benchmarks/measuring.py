@@ -15,7 +15,8 @@ import numpy as np
 from benchmarks.contestants.contestant import Contestant
 from benchmarks.lines import lines_of_code
 from benchmarks.problems import Functions, Problem
-from symnav.bench.program import Array, Quiet, built, code_bytes, run, stack_bytes
+from symnav.bench.program import Array, built, code_bytes, run, stack_bytes
+from symnav.bench.quiet import Quiet
 
 HERE = Path(__file__).parent
 RECORDS = 64
@@ -32,6 +33,7 @@ class Figures:
         bytes: machine code, what it calls in its own file included.
         stack: bytes of stack of its deepest chain of calls, by the compiler's account.
         lines: lines of code of the functions that compute, blank ones and comments left out.
+        alone: True when the core did nothing else meanwhile, as far as that can be told.
     """
 
     ns: float
@@ -39,6 +41,7 @@ class Figures:
     bytes: int | None = None
     stack: int | None = None
     lines: int | None = None
+    alone: bool | None = None
 
 
 def measure(
@@ -59,7 +62,7 @@ def measure(
     inputs = records(problem)
     taken = run(program, inputs, repetitions, quiet)
     if not taken.alone:
-        print(f"{problem.name}: the processor was shared all the time", file=sys.stderr)
+        print(f"{problem.name}: the core was shared", file=sys.stderr)
     compare(problem, contestants, inputs, taken.outputs)
     return {
         candidate.name: Figures(
@@ -68,6 +71,7 @@ def measure(
             code_bytes(candidate, item),
             stack_bytes(candidate, item),
             lines_of_code(contestant.text, contestant.functions) or None,
+            taken.alone,
         )
         for contestant, candidate, item in zip(
             contestants, candidates, program.objects, strict=True

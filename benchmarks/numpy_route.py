@@ -59,6 +59,8 @@ def main() -> None:
     parser.add_argument("--repetitions", type=int, default=python_calls.REPETITIONS)
     parser.add_argument("--patience", type=float, default=90.0, help="seconds to wait for a core")
     options = parser.parse_args()
+    if options.repetitions < 1:
+        parser.error("--repetitions must be 1 or more")
     figures: dict[str, dict[str, dict[str, float]]] = {}
     with tempfile.TemporaryDirectory() as folder:
         own = core(Path(folder), options.patience)
@@ -70,7 +72,7 @@ def main() -> None:
 
 
 def measure(
-    problem: Problem, folder: Path, core: Core, repetitions: int
+    problem: Problem, folder: Path, own: Core, repetitions: int
 ) -> dict[str, dict[str, float]]:
     """Nanoseconds per epoch by number of epochs and by way."""
     function = imported(problem, folder / problem.name, assume=False)
@@ -85,7 +87,7 @@ def measure(
             for jax in (False, True)
             for name, ns in python_calls.timed(
                 {n: (call, epochs) for n, call in named.items() if n.startswith("jax") is jax},
-                core,
+                own,
                 repetitions,
                 time.perf_counter_ns if jax else time.thread_time_ns,
             ).items()

@@ -25,7 +25,7 @@ from benchmarks.contestants.symnav_code import FUNCTION, specification
 from benchmarks.problems import Problem
 from benchmarks.quiet import Core
 from symnav import pipeline
-from symnav.bench.program import Burst, median, quietest
+from symnav.bench.quiet import Burst, Round, medians, quietest
 
 Array = npt.NDArray[np.float64]
 Call = Callable[[], Any]
@@ -33,7 +33,7 @@ Call = Callable[[], Any]
 BATCHES = {"batch": 1024, "small_batch": 128}
 """Epochs in one call. What 128 of gps read and write fits the first-level cache."""
 REPETITIONS = 13
-BURST = 2e-3
+BURST = 1e-3
 
 
 def measure(
@@ -80,13 +80,16 @@ def timed(
     repetitions: int = REPETITIONS,
     clock: Callable[[], int] = time.perf_counter_ns,
 ) -> dict[str, float]:
-    """Median over bursts of every way in turn that had a core to themselves, in nanoseconds.
+    """Median over rounds, a burst of every way in turn, that had a core to themselves.
 
     Args:
         ways: by name, what is called and for how many epochs.
-        core: whose bursts count.
-        repetitions: bursts of each.
+        core: what is timed is to have for itself.
+        repetitions: rounds.
         clock: in nanoseconds.
+
+    Returns:
+        Nanoseconds of one epoch, by name.
     """
     counts = {}
     for name, (call, _) in ways.items():
@@ -95,19 +98,21 @@ def timed(
         call()
         counts[name] = max(1, int(BURST / (time.perf_counter() - start + 1e-9)))
 
-    def in_turn() -> Iterator[tuple[str, Burst]]:
+    def in_turn() -> Iterator[Round]:
+        bursts = {}
         for name, (call, epochs) in ways.items():
             before = core.room()
             start = clock()
             for _ in range(counts[name]):
                 call()
             taken = (clock() - start) / counts[name] / epochs
-            yield name, Burst(taken, min(before, core.room()))
+            bursts[name] = Burst(taken, min(before, core.room()))
+        yield bursts
 
-    best, alone = quietest(in_turn, repetitions, core.quiet)
+    rounds, alone = quietest(in_turn, repetitions, core.quiet)
     if not alone:
-        print(f"{', '.join(ways)}: the core was shared all the time", file=sys.stderr)
-    return {name: median(bursts) for name, bursts in best.items()}
+        print(f"{', '.join(ways)}: the core was shared", file=sys.stderr)
+    return medians(rounds)
 
 
 def arguments(problem: Problem, records: Array) -> tuple[Array, dict[str, Any]]:

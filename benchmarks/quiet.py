@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from symnav.bench.program import Quiet, most_room
+from symnav.bench.quiet import Quiet, least_room
 from symnav.emit.templates import directory
 
 
@@ -26,13 +26,13 @@ class Core:
 
 
 def core(folder: Path, patience: float) -> Core:
-    """Look for a third of the patience at what the core does for us at best.
+    """Look for a third of the patience, on top of it, at what the core does for us at best.
 
     Args:
         folder: for what is compiled.
-        patience: seconds to wait for a core to itself, for everything that is timed together.
+        patience: seconds to wait for a core to itself, for what is timed in turn.
     """
-    quiet = Quiet(most_room(patience / 3, folder), patience)
+    quiet = Quiet(least_room(patience / 3, folder), patience)
     source, library = folder / "room_of.c", folder / "room_of.so"
     source.write_text('#include "room.h"\n\ndouble room_of(void) { return room(); }\n')
     include = f"-I{directory() / 'bench'}"

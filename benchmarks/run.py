@@ -1,6 +1,7 @@
 """Runs the comparison: every contestant over the same models, interleaved in one process each.
 
 usage: python benchmarks/run.py [--flags o2|v3|native] [--json FILE] [--only MODEL,...]
+                               [--repetitions N] [--patience SECONDS] [--no-python]
 """
 
 from __future__ import annotations
@@ -43,6 +44,8 @@ def main() -> None:
     parser.add_argument("--patience", type=float, default=90.0, help="seconds to wait for a core")
     parser.add_argument("--no-python", action="store_true", help="leave out calls from Python")
     options = parser.parse_args()
+    if options.repetitions < 1:
+        parser.error("--repetitions must be 1 or more")
     chosen = [p for p in PROBLEMS if not options.only or p.name in options.only.split(",")]
     results: dict[str, dict[str, Figures]] = {}
     with tempfile.TemporaryDirectory() as folder:

@@ -13,7 +13,8 @@ from click.testing import CliRunner
 from symnav import pipeline
 from symnav.bench import Row, compared
 from symnav.bench.adapters import EPOCHS, Entries
-from symnav.bench.program import Burst, Quiet, built, median, most_room, quietest, run
+from symnav.bench.program import built, run
+from symnav.bench.quiet import HALF, Burst, Quiet, least_room, medians, quietest
 from symnav.cli import main
 from symnav.verify.records import records
 
@@ -58,24 +59,30 @@ def test_adapters_call_what_they_say(name: str, tmp_path: Path) -> None:
     assert set(taken.ns) == {"dense", "nonzeros", "batch"} and min(taken.ns.values()) > 0.0
 
 
-def test_bursts_with_most_of_a_core_count() -> None:
-    """Those that shared it are left out as soon as there are enough others."""
-    rounds = iter([Burst(30.0, 2.1), Burst(10.0, 4.6), Burst(29.0, 2.2), Burst(12.0, 4.7)])
-    taken = quietest(lambda: [("one", next(rounds))], 2, Quiet(4.5, 60.0))
-    assert taken == ({"one": [Burst(12.0, 4.7), Burst(10.0, 4.6)]}, True)
-    assert median(taken[0]["one"]) == 11.0 and next(rounds, None) is None
+def test_whole_rounds_with_a_core_to_themselves_count() -> None:
+    """What shares the core for one candidate spoils the round for all: they stay comparable."""
+    quiet = [{"a": Burst(ns, 4.6), "b": Burst(2 * ns, 4.7)} for ns in (10.0, 12.0, 14.0)]
+    shared = [
+        {"a": Burst(30.0, 2.1), "b": Burst(20.0, 4.9)},
+        {"a": Burst(1.0, 4.9), "b": Burst(40.0, 2.2)},
+    ]
+    rounds = iter([shared[0], quiet[0], shared[1], quiet[1]])
+    taken = quietest(lambda: [next(rounds)], 2, Quiet(4.5, 60.0))
+    assert taken == ([quiet[0], quiet[1]], True) and next(rounds, None) is None
+    assert medians(taken[0]) == {"a": 11.0, "b": 22.0}
+    assert quietest(lambda: quiet, 2, Quiet(4.5, 60.0)) == ([quiet[1], quiet[2]], True)
 
 
 def test_a_core_that_stays_shared_is_told() -> None:
-    """There are as many bursts as were asked for, the best of them, after the patience is over."""
+    """There are as many rounds as were asked for, the best of them, after the patience is over."""
     rooms = iter([2.1, 2.4, 2.2, 2.3])
-    taken, alone = quietest(lambda: [("one", Burst(30.0, next(rooms)))], 3, Quiet(3.5, 0.0))
-    assert not alone and [burst.room for burst in taken["one"]] == [2.4, 2.2, 2.1]
+    taken, alone = quietest(lambda: [{"one": Burst(30.0, next(rooms))}], 3, Quiet(3.5, 0.0))
+    assert not alone and [one["one"].room for one in taken] == [2.1, 2.2, 2.4]
 
 
 def test_room_of_this_machine(tmp_path: Path) -> None:
-    """Additions in a cycle: fewer than any processor does, more than a fourth of one."""
-    assert 0.2 < most_room(0.2, tmp_path) < 16.0
+    """Additions in a cycle: more than half of a core does, fewer than any whole one."""
+    assert HALF <= least_room(0.2, tmp_path) < 16.0
 
 
 def test_verb(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

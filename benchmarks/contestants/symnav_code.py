@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import platform
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -64,7 +65,8 @@ def contestants(problem: Problem, folder: Path) -> Iterator[Contestant]:
 
 def package_flags() -> tuple[str, ...]:
     """Flags of a package that is built for machines unknown, whatever stands before them."""
-    return (*FLAGS, *dispatch_flags(find_compiler()), "-march=x86-64")
+    portable = ("-march=x86-64",) if platform.machine() == "x86_64" else ()
+    return (*FLAGS, *dispatch_flags(find_compiler()), *portable)
 
 
 def in_single(problem: Problem, folder: Path) -> Iterator[Contestant]:

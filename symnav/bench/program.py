@@ -3,25 +3,20 @@
 Times of one program compare: every candidate is called through a pointer the compiler cannot see
 through, over the same records, in bursts that follow each other round and round, so that whatever
 else the machine does meets all of them. Times of two programs do not.
-
-A virtual processor is often one of two threads of a core. What the other one does takes half of the
-core away, for milliseconds or minutes, and more of it from code that keeps arithmetic units busy
-than from code that waits for roots and quotients. Bursts with a core to themselves are waited for.
 """
 
 from __future__ import annotations
 
-import statistics
-import time
-from collections import defaultdict
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import islice
 from pathlib import Path
 
 import numpy as np
 import numpy.typing as npt
 
 from symnav.bench.candidate import Candidate
+from symnav.bench.quiet import USUAL, Burst, Quiet, Round, medians, quietest
 from symnav.build import objects
 from symnav.build.objects import Binutils, said
 from symnav.emit.templates import directory
@@ -36,9 +31,6 @@ FLAG_SETS: Mapping[str, tuple[str, ...]] = {
 """The same for every candidate; ``v3`` is what AVX2 machines of the last ten years have."""
 
 HERE = Binutils()
-
-STEADY = 0.95
-"""Of the room of a core to itself, what a measurement finds at least."""
 
 COMPILERS = {"c": ("gcc", "-std=gnu99"), "c++": ("g++", "-std=c++17")}
 
@@ -58,51 +50,19 @@ class Program:
     executable: Path
 
 
-@dataclass(frozen=True, slots=True)
-class Burst:
-    """Calls of one candidate, one after another.
-
-    Attributes:
-        ns: time of one evaluation.
-        room: independent additions in a cycle, before or after, whichever were less.
-    """
-
-    ns: float
-    room: float
-
-
-@dataclass(frozen=True, slots=True)
-class Quiet:
-    """When a core counts as ours alone, and how long to wait for that.
-
-    Attributes:
-        room: independent additions in a cycle that it does at least. Without knowledge of the
-            machine, less than a core with four adders does and more than two threads of it mostly.
-        seconds: to wait at most.
-    """
-
-    room: float = 3.5
-    seconds: float = 2.0
-
-
 @dataclass(frozen=True)
 class Run:
     """What one run of a program gave.
 
     Attributes:
-        bursts: by candidate, those that had most of a core.
+        ns: median time of one evaluation, by candidate.
         outputs: what every candidate wrote, one row a call.
-        alone: True when every one of these bursts had a core to itself.
+        alone: True when the core did nothing else meanwhile, as far as that can be told.
     """
 
-    bursts: Mapping[str, Sequence[Burst]]
+    ns: Mapping[str, float]
     outputs: Mapping[str, Array]
     alone: bool
-
-    @property
-    def ns(self) -> Mapping[str, float]:
-        """Median time of one evaluation, by candidate."""
-        return {name: median(bursts) for name, bursts in self.bursts.items()}
 
 
 def built(candidates: Sequence[Candidate], flags: str, folder: Path) -> Program:
@@ -129,79 +89,28 @@ def built(candidates: Sequence[Candidate], flags: str, folder: Path) -> Program:
     return Program(tuple(candidates), tuple(objects), executable)
 
 
-def run(program: Program, records: Array, repetitions: int, quiet: Quiet = Quiet()) -> Run:
+def run(program: Program, records: Array, repetitions: int, quiet: Quiet = USUAL) -> Run:
     """Time every candidate of a program over the same records.
 
     Args:
         program: compiled candidates.
         records: one flat record of inputs a row.
-        repetitions: bursts of each candidate; their median is reported.
-        quiet: what is waited for, so that all of them had a core to themselves.
+        repetitions: rounds, a burst of each candidate in turn; the median is reported.
+        quiet: what is waited for, so that all of them have a core to themselves.
     """
     folder = program.executable.parent
     given, taken = folder / "inputs.bin", folder / "outputs.bin"
     np.concatenate([np.array(records.shape, float), records.ravel()]).tofile(given)
     command = (str(program.executable), str(repetitions), str(given), str(taken))
 
-    def timed() -> Iterator[tuple[str, Burst]]:
-        for line in said(*command).splitlines():
-            name, nanoseconds, room = line.split()
-            yield name, Burst(float(nanoseconds), float(room))
+    def timed() -> Iterator[Round]:
+        bursts = map(str.split, said(*command).splitlines())
+        for _ in range(repetitions):
+            turn = islice(bursts, len(program.candidates))
+            yield {name: Burst(float(ns), float(room)) for name, ns, room in turn}
 
-    best, alone = quietest(timed, repetitions, quiet)
-    return Run(best, _outputs(program, len(records), np.fromfile(taken)), alone)
-
-
-def quietest(
-    timed: Callable[[], Iterable[tuple[str, Burst]]], count: int, quiet: Quiet
-) -> tuple[dict[str, list[Burst]], bool]:
-    """Of bursts that are timed again and again, those with most of a core.
-
-    Args:
-        timed: a burst or more of every name, in turn.
-        count: bursts of each name.
-        quiet: what is waited for.
-
-    Returns:
-        The bursts of each name, and whether all of them had a core to themselves.
-    """
-    bursts: dict[str, list[Burst]] = defaultdict(list)
-    end = time.monotonic() + quiet.seconds
-    while True:
-        for name, burst in timed():
-            bursts[name].append(burst)
-        best = {
-            name: sorted(found, key=lambda burst: burst.room, reverse=True)[:count]
-            for name, found in bursts.items()
-        }
-        alone = all(len(b) == count and b[-1].room >= quiet.room for b in best.values())
-        over = time.monotonic() > end and all(len(b) == count for b in best.values())
-        if alone or over:
-            return best, alone
-
-
-def median(bursts: Sequence[Burst]) -> float:
-    """Of the times of some bursts, in nanoseconds."""
-    return round(statistics.median(burst.ns for burst in bursts), 3)
-
-
-def most_room(seconds: float, folder: Path) -> float:
-    """The room that a core to itself has at least, by what is found in some seconds.
-
-    Args:
-        seconds: to look for.
-        folder: for what is compiled.
-    """
-    folder.mkdir(parents=True, exist_ok=True)
-    executable = folder / "room"
-    source = str(directory() / "bench" / "room.c")
-    said("gcc", "-O2", "-std=gnu11", source, "-o", str(executable))
-    return STEADY * float(said(str(executable), str(seconds)))
-
-
-def _best(bursts: Sequence[Burst], count: int) -> list[Burst]:
-    """Those with most of a core."""
-    return sorted(bursts, key=lambda burst: burst.room, reverse=True)[:count]
+    rounds, alone = quietest(timed, repetitions, quiet)
+    return Run(medians(rounds), _outputs(program, len(records), np.fromfile(taken)), alone)
 
 
 def code_bytes(candidate: Candidate, item: Path) -> int:

@@ -14,7 +14,7 @@ static double now(void)
 }
 
 /* Nanoseconds of a cycle: a fourth of a product and an OR that wait for the ones before. */
-static double cycle(uint64_t *link)
+static double cycle(uintptr_t *link)
 {
     enum { LINKS = 2000 };
     const double start = now();
@@ -27,9 +27,11 @@ static double cycle(uint64_t *link)
 }
 
 /* A compiler may not join sums across this, or leave them out. */
-#define ASIDE                                                  \
-    __asm__ volatile("" : "+r"(a), "+r"(b), "+r"(c), "+r"(d)); \
-    __asm__ volatile("" : "+r"(e), "+r"(f), "+r"(g), "+r"(h))
+#define ASIDE                                \
+    __asm__ volatile("" : "+r"(a), "+r"(b)); \
+    __asm__ volatile("" : "+r"(c), "+r"(d)); \
+    __asm__ volatile("" : "+r"(e), "+r"(f)); \
+    __asm__ volatile("" : "+r"(g), "+r"(h))
 
 /* Independent additions in a cycle. What the other thread does stretches the additions, the clock
    the cycle as well. Of two cycles the shorter counts: one that was interrupted would say that
@@ -37,9 +39,9 @@ static double cycle(uint64_t *link)
 static double room(void)
 {
     enum { ROUNDS = 4000, SUMS = 32 };
-    uint64_t link = (uint64_t)now() | 3U;
+    uintptr_t link = (uintptr_t)now() | 3U;
     const double before = cycle(&link);
-    uint64_t a = link, b = link, c = link, d = link, e = link, f = link, g = link, h = link;
+    uintptr_t a = link, b = link, c = link, d = link, e = link, f = link, g = link, h = link;
     const double start = now();
 
     for (int k = 0; k < ROUNDS; ++k) {
