@@ -14,6 +14,7 @@ from symnav import ir
 from symnav.bench.adapters import EPOCHS, Entries
 from symnav.bench.candidate import Candidate
 from symnav.bench.program import Array, Program, built, code_bytes, run, stack_bytes
+from symnav.bench.quiet import Quiet, least_room
 from symnav.lower.passes.counts import count_operations
 
 
@@ -70,6 +71,7 @@ def measure(
         progress: told each function.
     """
     rows: list[Row] = []
+    quiet = Quiet(least_room(1.0, folder))
     for function in functions:
         if function.name not in records:
             continue
@@ -77,7 +79,7 @@ def measure(
         entries = Entries(prefix, function, tree, min(items, function.maximum or items))
         program = built(_forms(entries), flags, folder / function.name)
         filled = np.resize(records[function.name], (EPOCHS, entries.record))
-        rows += _rows(function, entries, program, filled, repetitions)
+        rows += _rows(function, entries, program, filled, repetitions, quiet)
     return rows
 
 
@@ -116,9 +118,14 @@ def _forms(entries: Entries) -> list[Candidate]:
 
 
 def _rows(
-    function: ir.Function, entries: Entries, program: Program, records: Array, repetitions: int
+    function: ir.Function,
+    entries: Entries,
+    program: Program,
+    records: Array,
+    repetitions: int,
+    quiet: Quiet,
 ) -> list[Row]:
-    taken = run(program, records, repetitions)
+    taken = run(program, records, repetitions, quiet)
     mapped = function.maximum is not None
     return [
         Row(
