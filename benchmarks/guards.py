@@ -1,7 +1,7 @@
 """What guards cost: guarded over unguarded C of every shipped model, timed in turn.
 
 usage: python benchmarks/guards.py [--flags o2|v3|native] [--items N] [--only MODEL,...]
-                                   [--patience SECONDS]
+                                   [--repetitions N] [--patience SECONDS]
 
 A function whose bursts never had a core to themselves for so long is marked; its times are not to
 be trusted: guards keep arithmetic units busy, and what shares the core does so as well.
@@ -20,6 +20,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
+from benchmarks.quiet import add_options
 from symnav import ir, pipeline
 from symnav.bench.adapters import EPOCHS, Entries
 from symnav.bench.candidate import Candidate
@@ -28,8 +29,22 @@ from symnav.bench.quiet import Quiet, least_room
 from symnav.spec.records import Spec
 from symnav.verify.records import records
 
-How = tuple[str, int, int, Quiet]
-"""Flags, items, bursts of each function, and what is waited for."""
+
+@dataclass(frozen=True)
+class How:
+    """How functions are timed.
+
+    Attributes:
+        flags: name of a flag set.
+        items: satellites of a mapped function.
+        repetitions: rounds.
+        quiet: what is waited for.
+    """
+
+    flags: str
+    items: int
+    repetitions: int
+    quiet: Quiet
 
 
 @dataclass(frozen=True)
@@ -64,15 +79,12 @@ def main() -> None:
     parser.add_argument("--flags", choices=tuple(FLAG_SETS), default="v3")
     parser.add_argument("--items", type=int, default=8, help="satellites of a mapped function")
     parser.add_argument("--only", default="", help="models, separated by commas")
-    parser.add_argument("--patience", type=float, default=60.0, help="seconds to wait for a core")
-    parser.add_argument("--repetitions", type=int, default=25)
+    add_options(parser, 25, 60.0)
     options = parser.parse_args()
-    if options.repetitions < 1:
-        parser.error("--repetitions must be 1 or more")
     names = options.only.split(",") if options.only else [name for name, _ in pipeline.shipped()]
     with tempfile.TemporaryDirectory() as folder:
         quiet = Quiet(least_room(options.patience / 3, Path(folder)), options.patience)
-    how = (options.flags, options.items, options.repetitions, quiet)
+    how = How(options.flags, options.items, options.repetitions, quiet)
     costs: list[Cost] = []
     print(f"{'model':24} {'function':28} scalars  bare ns  guarded ns  ns a scalar")
     for cost in (one for name in names for one in measured(name, how)):
@@ -99,7 +111,7 @@ def measured(name: str, how: How) -> Iterator[Cost]:
         with_guards = _functions(spec, Path(folder) / "guarded")
         without = _functions(bare, Path(folder) / "bare")
         numpy = pipeline.import_package(Path(folder) / "guarded" / spec.name).numpy
-        given = records(spec, pipeline.derive(spec).entries, numpy, how[1])
+        given = records(spec, pipeline.derive(spec).entries, numpy, how.items)
         for function, inputs in given.items():
             pair = (without[function], with_guards[function])
             yield _timed(name, pair, inputs, Path(folder), how)
@@ -121,13 +133,12 @@ def _timed(
     folder: Path,
     how: How,
 ) -> Cost:
-    flags, items, repetitions, quiet = how
     name = pair[0].function.name
-    count = min(items, pair[0].function.maximum or items)
+    count = min(how.items, pair[0].function.maximum or how.items)
     bare, guarded = (replace(entries, items=count) for entries in pair)
     candidates = [_candidate(bare, "bare"), _candidate(guarded, "guarded")]
-    program = built(candidates, flags, folder / name)
-    taken = run(program, np.resize(inputs, (EPOCHS, bare.record)), repetitions, quiet)
+    program = built(candidates, how.flags, folder / name)
+    taken = run(program, np.resize(inputs, (EPOCHS, bare.record)), how.repetitions, how.quiet)
     scalars = sum(checked(a) * (bare.count if a.item else 1) for a in guarded.function.arguments)
     return Cost(model, name, scalars, taken.ns["bare"], taken.ns["guarded"], taken.alone)
 

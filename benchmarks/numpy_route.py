@@ -42,7 +42,7 @@ from benchmarks.contestants.symnav_code import FUNCTION
 from benchmarks.measuring import records
 from benchmarks.problems import PROBLEMS, Problem
 from benchmarks.python_calls import Array, Call, arguments, lambdified
-from benchmarks.quiet import Core, core
+from benchmarks.quiet import Core, add_options, core
 from symnav import pipeline
 
 SIZES = (1, 1024, 100_000)
@@ -56,11 +56,8 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--json", type=Path, metavar="FILE", help="write the figures here")
     parser.add_argument("--only", default=",".join(MODELS), help="models, separated by commas")
-    parser.add_argument("--repetitions", type=int, default=python_calls.REPETITIONS)
-    parser.add_argument("--patience", type=float, default=90.0, help="seconds to wait for a core")
+    add_options(parser, python_calls.REPETITIONS, 90.0)
     options = parser.parse_args()
-    if options.repetitions < 1:
-        parser.error("--repetitions must be 1 or more")
     figures: dict[str, dict[str, dict[str, float]]] = {}
     with tempfile.TemporaryDirectory() as folder:
         own = core(Path(folder), options.patience)

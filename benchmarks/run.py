@@ -28,7 +28,7 @@ from benchmarks.contestants import (
 from benchmarks.contestants.contestant import Contestant
 from benchmarks.measuring import Figures, measure, records
 from benchmarks.problems import PROBLEMS, Problem
-from benchmarks.quiet import core
+from benchmarks.quiet import add_options, core
 from symnav.bench.program import FLAG_SETS
 
 WRITERS = (symnav_code, casadi_code, symforce_code, sympy_code, hand_code, floor_code)
@@ -40,12 +40,9 @@ def main() -> None:
     parser.add_argument("--flags", choices=tuple(FLAG_SETS), default="v3")
     parser.add_argument("--json", type=Path, metavar="FILE", help="write the figures here")
     parser.add_argument("--only", default="", help="models, separated by commas")
-    parser.add_argument("--repetitions", type=int, default=15)
-    parser.add_argument("--patience", type=float, default=90.0, help="seconds to wait for a core")
+    add_options(parser, 15, 90.0)
     parser.add_argument("--no-python", action="store_true", help="leave out calls from Python")
     options = parser.parse_args()
-    if options.repetitions < 1:
-        parser.error("--repetitions must be 1 or more")
     chosen = [p for p in PROBLEMS if not options.only or p.name in options.only.split(",")]
     results: dict[str, dict[str, Figures]] = {}
     with tempfile.TemporaryDirectory() as folder:
