@@ -32,15 +32,15 @@ class Coefficients:
 
     Attributes:
         quarters_per_radian: 2/pi.
-        whole: a number whose neighbours are whole numbers apart: adding it and taking it away
-            rounds to the nearest one.
+        ones: a number whose neighbours are one apart: adding it and taking it away rounds to the
+            nearest whole number, and four times it to the nearest multiple of four.
         parts: pi/2 as a sum; the products of all but the last with small whole numbers are exact.
         sine: s0, s1 ... of least largest relative error in sin r.
         cosine: c0, c1 ... of least largest error in cos r.
     """
 
     quarters_per_radian: float
-    whole: float
+    ones: float
     parts: tuple[float, float, float]
     sine: tuple[float, ...]
     cosine: tuple[float, ...]
@@ -48,7 +48,7 @@ class Coefficients:
 
 DOUBLE = Coefficients(
     quarters_per_radian=0.6366197723675814,
-    whole=1.5 * 2.0**52,
+    ones=1.5 * 2.0**52,
     parts=(1.5707963267341256, 6.077100506303966e-11, 2.0222662487959506e-21),
     sine=(
         -0.1666666666666663, 0.008333333333322108, -0.0001984126982958018,
@@ -63,7 +63,7 @@ DOUBLE = Coefficients(
 
 SINGLE = Coefficients(
     quarters_per_radian=0.6366197466850281,
-    whole=1.5 * 2.0**23,
+    ones=1.5 * 2.0**23,
     parts=(1.5706787109375, 0.00011761486530303955, 9.92093629470503e-10),
     sine=(-0.16666655242443085, 0.00833216030150652, -0.00019515218446031213),
     cosine=(0.04166664555668831, -0.0013887366512790322, 2.4438380933133885e-05),

@@ -269,5 +269,5 @@ def test_products_of_quarter_turns_are_exact(
     with mp.workdps(60):
         left = mp.pi / 2 - sum(mp.mpf(part) for part in known.parts)
         assert abs(left) < mp.mpf(known.parts[2]) * 2.0**-digits
-    numbers = (known.quarters_per_radian, known.whole, *known.parts, *known.sine, *known.cosine)
+    numbers = (known.quarters_per_radian, known.ones, *known.parts, *known.sine, *known.cosine)
     assert all(float(kind(number)) == number for number in numbers)

@@ -22,13 +22,13 @@ _OF: Mapping[Any, trigonometry.Coefficients] = {
 def sine(angle: Real) -> Real:
     """What ``sine_of`` returns, to the bit; ``angle`` decides the type."""
     turn = _turn(angle)
-    return np.asarray(turn.sign * (turn.even * _sine(turn) + turn.odd * _cosine(turn)))
+    return np.asarray(turn.cosine * _sine(turn) + turn.sine * _cosine(turn))
 
 
 def cosine(angle: Real) -> Real:
     """What ``cosine_of`` returns, to the bit; ``angle`` decides the type."""
     turn = _turn(angle)
-    return np.asarray(turn.sign * (turn.even * _cosine(turn) - turn.odd * _sine(turn)))
+    return np.asarray(turn.cosine * _cosine(turn) - turn.sine * _sine(turn))
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,29 +38,27 @@ class _Turn:
     known: trigonometry.Coefficients
     left: Real
     rest: Real
-    odd: Real
-    even: Real
-    sign: Real
+    sine: Real
+    cosine: Real
 
 
 def _turn(angle: Real) -> _Turn:
     kind = angle.dtype.type
     known = _OF[angle.dtype]
     parts = [kind(part) for part in known.parts]
-    whole, half, one, two = kind(known.whole), kind(0.5), kind(1.0), kind(2.0)
+    ones, fours = kind(known.ones), kind(4.0 * known.ones)
 
-    def nearest_whole(value: Real) -> Real:
-        return np.asarray((value + whole) - whole)
+    def nearest_multiple(value: Real, spaced: Any) -> Real:
+        return np.asarray((value + spaced) - spaced)
 
-    quarters = nearest_whole(angle * kind(known.quarters_per_radian))
-    halves = nearest_whole(half * quarters)
-    odd = quarters - two * halves
-    uneven = halves - two * nearest_whole(half * halves)
+    quarters = nearest_multiple(angle * kind(known.quarters_per_radian), ones)
+    corner = quarters - nearest_multiple(quarters, fours)
+    size = np.abs(corner)
     coarse = angle - quarters * parts[0]
     fine = quarters * parts[1]
     left = coarse - fine
     rest = ((coarse - left) - fine) - quarters * parts[2]
-    return _Turn(known, left, rest, odd, one - odd * odd, one - two * (uneven * uneven))
+    return _Turn(known, left, rest, corner * (kind(2.0) - size), kind(1.0) - size)
 
 
 def _sine(turn: _Turn) -> Real:
@@ -76,8 +74,8 @@ def _cosine(turn: _Turn) -> Real:
     drop = half * square
     rough = one - drop
     tail = _polynomial(turn.known.cosine, square)
-    small = (square * square) * tail - turn.left * turn.rest
-    return np.asarray(rough + (((one - rough) - drop) + small))
+    lost = ((one - rough) - drop) - turn.left * turn.rest
+    return np.asarray(rough + (lost + (square * square) * tail))
 
 
 def _polynomial(coefficients: Sequence[float], square: Real) -> Real:

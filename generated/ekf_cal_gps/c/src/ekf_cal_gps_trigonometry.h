@@ -13,36 +13,36 @@
 
 /* An angle as whole quarter turns and what is left of it. */
 typedef struct {
-    ekf_cal_gps_real_t left; /* beyond the nearest quarter turn, within pi/4 */
-    ekf_cal_gps_real_t rest; /* what rounding took from it */
-    ekf_cal_gps_real_t odd;  /* 0 after an even number of quarter turns, else 1 or -1 */
-    ekf_cal_gps_real_t even; /* 1 after an even number of quarter turns, else 0 */
-    ekf_cal_gps_real_t sign; /* 1 or -1 */
+    ekf_cal_gps_real_t left;   /* beyond the nearest quarter turn, within pi/4 */
+    ekf_cal_gps_real_t rest;   /* what rounding took from it */
+    ekf_cal_gps_real_t sine;   /* of the quarter turns: 0, 1 or -1 */
+    ekf_cal_gps_real_t cosine; /* of the quarter turns: 0, 1 or -1 */
 } ekf_cal_gps_turn_t;
 
-/* The whole number nearest to a small number. */
-EKF_CAL_GPS_INLINE ekf_cal_gps_real_t nearest_whole(ekf_cal_gps_real_t value)
+/* The multiple nearest to a small number of the distance between neighbours of `spaced`. */
+EKF_CAL_GPS_INLINE ekf_cal_gps_real_t
+    nearest_multiple(ekf_cal_gps_real_t value, ekf_cal_gps_real_t spaced)
 {
-    return (value + 6755399441055744.0) - 6755399441055744.0;
+    return (value + spaced) - spaced;
 }
 
 /* Take away the nearest whole number of quarter turns; pi/2 stands in three parts, and products of
    the first two are exact. */
 EKF_CAL_GPS_INLINE ekf_cal_gps_turn_t turn_of(ekf_cal_gps_real_t angle)
 {
-    const ekf_cal_gps_real_t quarters = nearest_whole(angle * 0.6366197723675814);
-    const ekf_cal_gps_real_t halves = nearest_whole(0.5 * quarters);
-    const ekf_cal_gps_real_t odd = quarters - (2.0 * halves);
-    const ekf_cal_gps_real_t uneven = halves - (2.0 * nearest_whole(0.5 * halves));
+    const ekf_cal_gps_real_t quarters =
+        nearest_multiple(angle * 0.6366197723675814, 6755399441055744.0);
+    /* Beyond the nearest full turn: -2 to 2. */
+    const ekf_cal_gps_real_t corner = quarters - nearest_multiple(quarters, 2.7021597764222976e+16);
+    const ekf_cal_gps_real_t size = fabs(corner);
     const ekf_cal_gps_real_t coarse = angle - (quarters * 1.5707963267341256);
     const ekf_cal_gps_real_t fine = quarters * 6.077100506303966e-11;
     const ekf_cal_gps_real_t left = coarse - fine;
     const ekf_cal_gps_turn_t turn = {
         left,
         ((coarse - left) - fine) - (quarters * 2.0222662487959506e-21),
-        odd,
-        1.0 - (odd * odd),
-        1.0 - (2.0 * (uneven * uneven)),
+        corner * (2.0 - size),
+        1.0 - size,
     };
 
     return turn;
@@ -71,7 +71,7 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_real_t near_cosine(ekf_cal_gps_turn_t turn)
         (fourth * ((2.480158728948234e-05 + (-2.755731435237199e-07 * square)) +
         (fourth * (2.0875723278108346e-09 + (-1.1359648041096236e-11 * square)))));
 
-    return rough + (((1.0 - rough) - drop) + ((fourth * tail) - (turn.left * turn.rest)));
+    return rough + ((((1.0 - rough) - drop) - (turn.left * turn.rest)) + (fourth * tail));
 }
 
 /* Sine of an angle of at most 32 rad, within one unit in the last place; 0 for -0. */
@@ -82,7 +82,7 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_real_t sine_of(ekf_cal_gps_real_t angle)
 {
     const ekf_cal_gps_turn_t turn = turn_of(angle);
 
-    return turn.sign * ((turn.even * near_sine(turn)) + (turn.odd * near_cosine(turn)));
+    return (turn.cosine * near_sine(turn)) + (turn.sine * near_cosine(turn));
 }
 
 /* Cosine of an angle of at most 32 rad, within one unit in the last place. */
@@ -93,7 +93,7 @@ EKF_CAL_GPS_INLINE ekf_cal_gps_real_t cosine_of(ekf_cal_gps_real_t angle)
 {
     const ekf_cal_gps_turn_t turn = turn_of(angle);
 
-    return turn.sign * ((turn.even * near_cosine(turn)) - (turn.odd * near_sine(turn)));
+    return (turn.cosine * near_cosine(turn)) - (turn.sine * near_sine(turn));
 }
 
 #endif /* EKF_CAL_GPS_TRIGONOMETRY_H */

@@ -13,18 +13,17 @@
 
 /* An angle as whole quarter turns and what is left of it. */
 typedef struct {
-    farrell_tightly_coupled_real_t left; /* beyond the nearest quarter turn, within pi/4 */
-    farrell_tightly_coupled_real_t rest; /* what rounding took from it */
-    farrell_tightly_coupled_real_t odd;  /* 0 after an even number of quarter turns, else 1 or -1 */
-    farrell_tightly_coupled_real_t even; /* 1 after an even number of quarter turns, else 0 */
-    farrell_tightly_coupled_real_t sign; /* 1 or -1 */
+    farrell_tightly_coupled_real_t left;   /* beyond the nearest quarter turn, within pi/4 */
+    farrell_tightly_coupled_real_t rest;   /* what rounding took from it */
+    farrell_tightly_coupled_real_t sine;   /* of the quarter turns: 0, 1 or -1 */
+    farrell_tightly_coupled_real_t cosine; /* of the quarter turns: 0, 1 or -1 */
 } farrell_tightly_coupled_turn_t;
 
-/* The whole number nearest to a small number. */
+/* The multiple nearest to a small number of the distance between neighbours of `spaced`. */
 FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_real_t
-    nearest_whole(farrell_tightly_coupled_real_t value)
+    nearest_multiple(farrell_tightly_coupled_real_t value, farrell_tightly_coupled_real_t spaced)
 {
-    return (value + 6755399441055744.0) - 6755399441055744.0;
+    return (value + spaced) - spaced;
 }
 
 /* Take away the nearest whole number of quarter turns; pi/2 stands in three parts, and products of
@@ -32,19 +31,20 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_real_t
 FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_turn_t
     turn_of(farrell_tightly_coupled_real_t angle)
 {
-    const farrell_tightly_coupled_real_t quarters = nearest_whole(angle * 0.6366197723675814);
-    const farrell_tightly_coupled_real_t halves = nearest_whole(0.5 * quarters);
-    const farrell_tightly_coupled_real_t odd = quarters - (2.0 * halves);
-    const farrell_tightly_coupled_real_t uneven = halves - (2.0 * nearest_whole(0.5 * halves));
+    const farrell_tightly_coupled_real_t quarters =
+        nearest_multiple(angle * 0.6366197723675814, 6755399441055744.0);
+    /* Beyond the nearest full turn: -2 to 2. */
+    const farrell_tightly_coupled_real_t corner = quarters -
+        nearest_multiple(quarters, 2.7021597764222976e+16);
+    const farrell_tightly_coupled_real_t size = fabs(corner);
     const farrell_tightly_coupled_real_t coarse = angle - (quarters * 1.5707963267341256);
     const farrell_tightly_coupled_real_t fine = quarters * 6.077100506303966e-11;
     const farrell_tightly_coupled_real_t left = coarse - fine;
     const farrell_tightly_coupled_turn_t turn = {
         left,
         ((coarse - left) - fine) - (quarters * 2.0222662487959506e-21),
-        odd,
-        1.0 - (odd * odd),
-        1.0 - (2.0 * (uneven * uneven)),
+        corner * (2.0 - size),
+        1.0 - size,
     };
 
     return turn;
@@ -75,7 +75,7 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_real_t
         square)) + (fourth * ((2.480158728948234e-05 + (-2.755731435237199e-07 * square)) +
         (fourth * (2.0875723278108346e-09 + (-1.1359648041096236e-11 * square)))));
 
-    return rough + (((1.0 - rough) - drop) + ((fourth * tail) - (turn.left * turn.rest)));
+    return rough + ((((1.0 - rough) - drop) - (turn.left * turn.rest)) + (fourth * tail));
 }
 
 /* Sine of an angle of at most 32 rad, within one unit in the last place; 0 for -0. */
@@ -87,7 +87,7 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_real_t
 {
     const farrell_tightly_coupled_turn_t turn = turn_of(angle);
 
-    return turn.sign * ((turn.even * near_sine(turn)) + (turn.odd * near_cosine(turn)));
+    return (turn.cosine * near_sine(turn)) + (turn.sine * near_cosine(turn));
 }
 
 /* Cosine of an angle of at most 32 rad, within one unit in the last place. */
@@ -99,7 +99,7 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_real_t
 {
     const farrell_tightly_coupled_turn_t turn = turn_of(angle);
 
-    return turn.sign * ((turn.even * near_cosine(turn)) - (turn.odd * near_sine(turn)));
+    return (turn.cosine * near_cosine(turn)) - (turn.sine * near_sine(turn));
 }
 
 #endif /* FARRELL_TIGHTLY_COUPLED_TRIGONOMETRY_H */
