@@ -10,7 +10,9 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner, Result
 
+from symnav import ir
 from symnav.cli import main
+from symnav.emit import c
 
 SMALL = """
 name = "small"
@@ -238,3 +240,72 @@ class TestReferences:
         assert "numpy vs reference" in {r["comparison"] for r in json.loads(told.stdout)["rows"]}
         noted = verify(SMALL, "--samples", "8", "--reference", str(tmp_path), "--json")
         assert "twice: no reference for equation" in json.loads(noted.stdout)["notes"]
+
+
+RANGES = """
+name = "ranges"
+[[frame]]
+name = "e"
+axes = "ecef"
+[[state]]
+name = "p"
+kind = "vector"
+size = 3
+unit = "m"
+frame = "e"
+range = [-7e6, 7e6]
+[[state]]
+name = "clock"
+kind = "scalar"
+unit = "m"
+range = [-1e6, 1e6]
+[[measurement]]
+name = "range"
+model = "pseudorange"
+position = "p"
+clock_bias = "clock"
+satellite_position = "input"
+maximum = 6
+difference = "single"
+items = "{items}"
+"""
+
+
+class TestSingleDifferences:
+    """The differenced form is proven where a specification asks for it."""
+
+    @pytest.mark.parametrize("items", ["skip", "reject"])
+    def test_it_is_compared_with_rows(self, verify: Verify, items: str) -> None:
+        """In both back ends, every output, to the last bit."""
+        told = verify(RANGES.format(items=items), "--samples", "20", "--json")
+        assert told.exit_code == 0, told.output
+        rows = [row for row in json.loads(told.stdout)["rows"] if "vs rows" in row["comparison"]]
+        found = {(row["comparison"].split()[0], row["block"]) for row in rows}
+        assert found >= {(b, o) for b in ("native", "numpy") for o in ("value", "d/d p")}
+        assert all(row["samples"] > 40 and row["absolute"] == 0.0 for row in rows)
+        assert "Single differences" in verify(RANGES.format(items=items), "--samples", "20").stdout
+
+    @pytest.mark.parametrize(
+        ("right", "wrong"),
+        [
+            ("nonzeros[0] - reference[0]", "nonzeros[0] + reference[0]"),
+            ("(i < reference) ? i : (i - 1)", "(i < reference) ? (n - 2) : (i - 1)"),
+            ("const int32_t row = ", "const int32_t row = (reference == 0) ? 0 : "),
+        ],
+    )
+    def test_what_is_wrong_is_found(
+        self, verify: Verify, monkeypatch: pytest.MonkeyPatch, right: str, wrong: str
+    ) -> None:
+        """C that subtracts otherwise, or puts a row elsewhere."""
+        emit = c.emit
+
+        def spoiled(module: ir.Module) -> dict[str, str]:
+            text = {path: one.replace(right, wrong) for path, one in emit(module).items()}
+            assert text != emit(module)
+            return text
+
+        monkeypatch.setattr(c, "emit", spoiled)
+        told = verify(RANGES.format(items="skip"), "--samples", "8", "--json")
+        assert told.exit_code == 3, told.output
+        failures = json.loads(told.stdout)["failures"]
+        assert failures and all("native difference vs rows" in one for one in failures)

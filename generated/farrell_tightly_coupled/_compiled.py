@@ -66,29 +66,25 @@ class CompiledFunction(BatchFunction):
         return voided(Evaluation(outputs, status, item_status), out)
 
     def bound(self, arrays: Sequence[Array], extent: Extent, out: list[Array]) -> Callable[[], Any]:
-        """An address or pointers made once; what is left of a call is the C and its status."""
+        """Arrays or pointers looked up once; what is left of a call is the C and its status."""
         if self.signature.column_major:
             return super().bound(arrays, extent, out)
         if extent.batch != ():
             return self._bound_batch(arrays, extent, out)
         items = self._item_status(extent)
-        memory = (np.ndarray, *arrays, *out, *items)
-        straight, place = self._library.straight(self.signature.name), id(memory)
-        first, *rest = map(self._pointer, memory[1:])
+        memory = (*arrays, *out, *items)
+        first, *rest = map(self._pointer, memory)
         run = partial(self._entries[Part.ALL], first, *numbers(extent), *rest)
         item_status = items[0] if items else None
         done = self.result(Evaluation(out, Status.OK, item_status), arrays)
 
-        def call() -> Any:
-            status = straight(place)
-            if not status:
-                return done
+        def otherwise(status: int) -> Any:
             if status == UNFIT and not (status := run()):
                 return done
             return self.result(Evaluation(out, Status(status), item_status), arrays)
 
-        call.__dict__["memory"] = memory  # lives as long as its address is used
-        return call
+        name = self.signature.name
+        return self._library.bound(name, memory, done, otherwise) or partial(otherwise, UNFIT)
 
     def _once(
         self,

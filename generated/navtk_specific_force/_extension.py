@@ -23,7 +23,7 @@ from typing import Any
 
 import numpy as np
 
-from ._runtime import Array
+from ._runtime import Array, Status
 
 _BUILD = "_build.json"
 _LEAST = 512  # epochs that are worth a thread
@@ -125,6 +125,31 @@ class Library:
             found = getattr(self.lib, f"straight_{self.prefix}_{name}", _decline)
         return found
 
+    def call(self, name: str, result: type) -> Callable[..., Any]:
+        """The call for one epoch: given arguments in order and ``out``, its result, or None."""
+        return self._opened(name, (np.ndarray, result, Status.OK)) or _decline_call
+
+    def bound(
+        self, name: str, memory: Sequence[Any], result: Any, otherwise: Callable[[int], Any]
+    ) -> Callable[[], Any] | None:
+        """A call for one epoch over the same arguments every time, where there is one.
+
+        Args:
+            name: of the function.
+            memory: inputs, outputs and the statuses of items.
+            result: what it returns when all went well.
+            otherwise: called with the status when not.
+        """
+        return self._opened(f"{name}.bind", (np.ndarray, *memory, result, otherwise))
+
+    def _opened(self, name: str, kept: tuple[Any, ...]) -> Callable[..., Any] | None:
+        """A call of the extension that keeps something; nothing where it has none."""
+        place: list[Any] = [kept]
+        if not self._has_straight:
+            return None
+        opened = getattr(self.lib, f"straight_{self.prefix}__open")
+        return place[0] if opened(id(place), name.encode()) else None
+
     def pointer(self, array: Array) -> Any:
         """The memory of a contiguous array, which stays alive with the pointer."""
         return self._buffer(self._kinds[array.dtype.kind], array)
@@ -182,10 +207,14 @@ class Library:
 
 def _reads_arrays(lib: Any, prefix: str) -> bool:
     """True when C can read the arrays of this very NumPy at the addresses this Python gives."""
-    layout = getattr(lib, f"straight_{prefix}_layout", None)
+    layout = getattr(lib, f"straight_{prefix}__layout", None)
     if layout is None or sys.implementation.name != "cpython":
         return False
     return bool(layout() == int(np.__version__.partition(".")[0]))
+
+
+def _decline_call(*_given: Any) -> None:
+    """What calls answer to arrays they cannot read."""
 
 
 def _decline(*_given: Any) -> int:

@@ -9,36 +9,21 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-import numpy as _np
-
-from . import _calls, _compiled, _extension, _interface, _runtime, _straight
+from . import _calls, _compiled, _extension, _interface
 
 _module = _extension.load_extension(Path(__file__).parent, "native")
 _library = _extension.Library(_module, "warpos_gps", "float64")
 set_threads = _library.set_threads
-_outputs = _straight.outputs
-_empty, _tuple, _id, _array = _np.empty, tuple.__new__, id, _np.ndarray
-_real, _byte = _library.real, _np.dtype(_np.uint8)
-_OK = _runtime.Status.OK
-_UNFIT = (AttributeError, LookupError, MemoryError, TypeError, ValueError)
 
 
 _retract_function = _compiled.CompiledFunction(_library, _interface.RETRACT)
-_retract_straight = _library.straight("retract")
+_retract_straight = _library.call("retract", _interface.RetractResult)
 
 
 def _retract_call(x: Any = None, /, *, d: Any = None, out: Any = None, **_other: Any) -> Any:
-    try:
-        if not _other and x.ndim == 1:
-            if out is None:
-                value = _empty(15)
-            else:
-                (value,) = _outputs(out, 1, 2)
-            given = (_array, x, d, value)
-            if not _retract_straight(_id(given)):
-                return _tuple(_interface.RetractResult, (value, _OK))
-    except _UNFIT:
-        pass
+    _found = None if _other else _retract_straight(x, d, out)
+    if _found is not None:
+        return _found
     return _retract_function.call((x,), {"d": d, **_other}, out)
 
 
@@ -46,21 +31,13 @@ retract = _calls.publish(_retract_function, __name__, _retract_call)
 
 
 _local_function = _compiled.CompiledFunction(_library, _interface.LOCAL)
-_local_straight = _library.straight("local")
+_local_straight = _library.call("local", _interface.LocalResult)
 
 
 def _local_call(x: Any = None, /, *, y: Any = None, out: Any = None, **_other: Any) -> Any:
-    try:
-        if not _other and x.ndim == 1:
-            if out is None:
-                value = _empty(15)
-            else:
-                (value,) = _outputs(out, 1, 2)
-            given = (_array, x, y, value)
-            if not _local_straight(_id(given)):
-                return _tuple(_interface.LocalResult, (value, _OK))
-    except _UNFIT:
-        pass
+    _found = None if _other else _local_straight(x, y, out)
+    if _found is not None:
+        return _found
     return _local_function.call((x,), {"y": y, **_other}, out)
 
 
@@ -68,22 +45,13 @@ local = _calls.publish(_local_function, __name__, _local_call)
 
 
 _measurement_function = _compiled.CompiledFunction(_library, _interface.MEASUREMENT)
-_measurement_straight = _library.straight("measurement")
+_measurement_straight = _library.call("measurement", _interface.MeasurementResult)
 
 
 def _measurement_call(x: Any = None, /, *, out: Any = None, **_other: Any) -> Any:
-    try:
-        if not _other and x.ndim == 1:
-            if out is None:
-                value = _empty(3)
-                jacobian = _empty((3, 15))
-            else:
-                (value, jacobian) = _outputs(out, 2, 3)
-            given = (_array, x, value, jacobian)
-            if not _measurement_straight(_id(given)):
-                return _tuple(_interface.MeasurementResult, (value, jacobian, _OK))
-    except _UNFIT:
-        pass
+    _found = None if _other else _measurement_straight(x, out)
+    if _found is not None:
+        return _found
     return _measurement_function.call((x,), {**_other}, out)
 
 
@@ -97,24 +65,15 @@ measurement_by_column = _calls.publish(_measurement_by_column_function, __name__
 
 
 _observed_function = _compiled.CompiledFunction(_library, _interface.OBSERVED)
-_observed_straight = _library.straight("observed")
+_observed_straight = _library.call("observed", _interface.ObservedResult)
 
 
 def _observed_call(
     x: Any = None, /, *, observer_attitude: Any = None, out: Any = None, **_other: Any
 ) -> Any:
-    try:
-        if not _other and x.ndim == 1:
-            if out is None:
-                value = _empty(3)
-                jacobian = _empty((3, 15))
-            else:
-                (value, jacobian) = _outputs(out, 2, 3)
-            given = (_array, x, observer_attitude, value, jacobian)
-            if not _observed_straight(_id(given)):
-                return _tuple(_interface.ObservedResult, (value, jacobian, _OK))
-    except _UNFIT:
-        pass
+    _found = None if _other else _observed_straight(x, observer_attitude, out)
+    if _found is not None:
+        return _found
     return _observed_function.call((x,), {"observer_attitude": observer_attitude, **_other}, out)
 
 
@@ -126,7 +85,7 @@ observed_by_column = _calls.publish(_observed_by_column_function, __name__)
 
 
 _to_state_frame_function = _compiled.CompiledFunction(_library, _interface.TO_STATE_FRAME)
-_to_state_frame_straight = _library.straight("to_state_frame")
+_to_state_frame_straight = _library.call("to_state_frame", _interface.ToStateFrameResult)
 
 
 def _to_state_frame_call(
@@ -140,21 +99,11 @@ def _to_state_frame_call(
     out: Any = None,
     **_other: Any,
 ) -> Any:
-    try:
-        if not _other and observer_attitude.ndim == 1:
-            if out is None:
-                value = _empty(3)
-                value_covariance = _empty(9)
-            else:
-                (value, value_covariance) = _outputs(out, 2, 3)
-            given = (
-                _array, observer_attitude, receiver_position, origin_offset, attitude, lever_arm,
-                covariance, value, value_covariance,
-            )
-            if not _to_state_frame_straight(_id(given)):
-                return _tuple(_interface.ToStateFrameResult, (value, value_covariance, _OK))
-    except _UNFIT:
-        pass
+    _found = None if _other else _to_state_frame_straight(
+        observer_attitude, receiver_position, origin_offset, attitude, lever_arm, covariance, out
+    )
+    if _found is not None:
+        return _found
     return _to_state_frame_function.call(
         (),
         {"observer_attitude": observer_attitude, "receiver_position": receiver_position,

@@ -34,7 +34,7 @@ def find_straight(package: Path) -> Straight | None:
 
     folder, headers = package / FOLDER, Path(np.get_include())
     sources = tuple(sorted(folder.glob("*_straight.c")))
-    if not sources or not (headers / "numpy" / "ndarraytypes.h").is_file():
+    if not sources or not (headers / "numpy" / "arrayobject.h").is_file():
         return None
     declared = tuple(source.with_suffix(".h") for source in sources)
     generation = np.__version__.partition(".")[0]

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from symnav.binding import STATE
 from symnav.derive import Derivation, DerivedOutput
 from symnav.spec.records import Spec
+from symnav.verify import differencing
 from symnav.verify.comparison import Array, Indices, Worst, differences, forget_remainders
 from symnav.verify.exact import DIGITS, Exact
 from symnav.verify.manifold import prove_layout
@@ -50,19 +51,24 @@ class _FunctionProof:
         scales: Scales,
         rows: Indices,
     ) -> None:
-        """Record |a - b| of one output, block by block of its columns."""
+        """Record |a - b| of one output at the scale of what it is compared by."""
         scale = scales.limited(LIMITS[comparison], roundings(comparison), underflow(comparison))
         if comparison.startswith("casadi"):
             # Automatic differentiation cancels terms of its own, as large as its largest result.
             scale = np.broadcast_to(
                 scale.max(axis=tuple(range(1, scale.ndim)), keepdims=True), scale.shape
             )
+        with np.errstate(all="ignore"):
+            error = np.abs(a - b)
+        self.record(output, comparison, error, scale, rows)
+
+    def record(
+        self, output: DerivedOutput, comparison: str, error: Array, scale: Array, rows: Indices
+    ) -> None:
+        """Take in the errors of one output at their scale, block by block of its columns."""
         for block, columns, unit in self._blocks(output):
-            key = (block, comparison)
-            worst = self.worst.setdefault(key, Worst(unit))
-            with np.errstate(all="ignore"):
-                error = np.abs(a[..., columns] - b[..., columns])
-            worst.add(error, scale[..., columns], rows)
+            worst = self.worst.setdefault((block, comparison), Worst(unit))
+            worst.add(error[..., columns], scale[..., columns], rows)
 
     def rows(self) -> Iterator[Row]:
         """The comparisons as rows of the sheet."""
@@ -173,6 +179,7 @@ def _prove_function(
         if "native" in results:
             a, b = results["native"].get(output, good), results["numpy"].get(output, good)
             proof.compare(output, "native vs numpy", a, b, scales[output.name], good)
+    findings += _compare_differences(proof, backends, results)
     few = proof.samples.judged(good)
     proof.judged = len(few)
     _compare_exact(proof, results, scales, good, few)
@@ -180,6 +187,27 @@ def _prove_function(
         if not reference.has(derivation.entry.model.name):
             proof.notes.append(f"{derivation.name}: no reference for {derivation.entry.model.name}")
         _compare_reference(proof, reference, results["numpy"], scales, good, few)
+    return findings
+
+
+def _compare_differences(
+    proof: _FunctionProof, backends: Mapping[str, Any], results: Mapping[str, _Evaluated]
+) -> list[Finding]:
+    """Single differences, where the entry asks for them."""
+    derivation = proof.derivation
+    findings: list[Finding] = []
+    if derivation.entry is None or not derivation.entry.single_difference:
+        return findings
+    given = _given(proof.samples)
+    for name in differencing.BACKENDS:
+        if name in results:
+            function = getattr(backends[name], derivation.name)
+            rows = differencing.Rows(results[name].outputs, results[name].ok)
+            for one in differencing.differenced(derivation, name, function, given, rows):
+                if isinstance(one, Finding):
+                    findings.append(one)
+                else:
+                    proof.record(one.output, one.comparison, one.error, one.scale, one.rows)
     return findings
 
 
@@ -227,13 +255,16 @@ class _Evaluated:
         return chosen
 
 
+def _given(samples: Samples) -> dict[str, Any]:
+    """Arguments by name; what is one number has no axis for it."""
+    return {
+        name: a[..., 0] if name != STATE and a.shape[-1] == 1 else a
+        for name, a in samples.typed().items()
+    }
+
+
 def _evaluate(function: Any, samples: Samples, derivation: Derivation) -> _Evaluated:
-    result = function(
-        **{
-            name: a[..., 0] if name != STATE and a.shape[-1] == 1 else a
-            for name, a in samples.typed().items()
-        }
-    )
+    result = function(**_given(samples))
     outputs = {
         o.name: np.asarray(getattr(result, o.name), dtype=np.float64) for o in derivation.outputs
     }

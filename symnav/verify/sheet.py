@@ -21,10 +21,15 @@ LIMITS: Mapping[str, float] = {
     "float vs 50 digits": 64 * 2.0**-23,
     "float vs differences": 64 * 2.0**-23,
     "numpy vs reference": 1e-13,
+    "native difference vs rows": 2.0**-52,
+    "numpy difference vs rows": 2.0**-52,
     "native retract then local": 1e-13,
     "numpy retract then local": 1e-13,
     "native retract vs 50 digits": 1e-13,
 }
+
+#: Comparisons of the differenced form with what it is made of.
+DIFFERENCED = ("native difference vs rows", "numpy difference vs rows")
 
 
 def roundings(comparison: str) -> float:
@@ -188,6 +193,16 @@ class ProofSheet:
             counts = ", ".join(f"{name} {count}" for name, count in self.judged.items())
             console.print(
                 f"States judged with 50 digits, every edge inside the ranges among them: {counts}.",
+                highlight=False,
+                markup=False,
+            )
+        differenced = [row for row in self.rows if row.comparison in DIFFERENCED]
+        if differenced:
+            names = ", ".join(dict.fromkeys(row.function for row in differenced))
+            worst = max(row.ulp for row in differenced)
+            console.print(
+                "Single differences of C and NumPy, against differences of rows, for the first and "
+                f"the last reference: {names}; {worst:.2f} units in the last place at most.",
                 highlight=False,
                 markup=False,
             )

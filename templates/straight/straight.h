@@ -1,11 +1,15 @@
 /*
  * What Python hands to the functions of this package, read where it lies.
  *
- * Looking at an array from Python costs more than most of these functions take. So a tuple of all
- * of them comes here by its address, as `id` gives it: first the type of NumPy's arrays, then
- * inputs, then outputs. Its owner keeps it alive during the call. Nothing of Python is changed, no
- * reference is counted, so that other threads may go on meanwhile. Whatever is not exactly as the
- * C wants it is UNFIT, and takes the general way.
+ * Looking at an array from Python costs more than most of these functions take. Whatever is not
+ * exactly as the C wants it is UNFIT, and takes the general way. There are two ways in:
+ *
+ * - For many epochs a tuple of everything comes by its address, as `id` gives it: first the type of
+ *   NumPy's arrays, then inputs, then outputs. Its owner keeps it alive during the call. Nothing of
+ *   Python is changed, no reference is counted, so that other threads may go on meanwhile.
+ * - A call of Python's for one epoch is given inputs and, as `out`, None or what holds arrays for
+ *   its outputs. It makes what it was not given and returns the result, or None. A bound call keeps
+ *   a tuple of everything and is given nothing.
  *
  * Part of the extension for Python, not of the exported C.
  */
@@ -16,11 +20,12 @@
 #include <Python.h>
 
 #define NPY_NO_DEPRECATED_API NPY_1_7_API_VERSION
-#include <numpy/ndarraytypes.h>
+#include <numpy/arrayobject.h>
 
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 /* Answer to what must take the general way; every status is larger. */
 #define UNFIT (-1)
@@ -163,25 +168,19 @@ static inline bool lies_apart(const taken_t taken[], int place)
     return apart;
 }
 
-/* Take everything; false where something is not as it must be. */
-static bool take(
-    uintptr_t given,
+/* Take the objects that follow what was taken; false where one is not as it must be. */
+static bool take_more(
+    const PyTypeObject *type,
+    PyObject *const objects[],
     const wanted_t wanted[],
-    int count,
+    int first,
+    int end,
     bool many,
     extent_t *extent,
     taken_t taken[])
 {
-    PyObject *const tuple = (PyObject *)given;
-    PyTypeObject *const type = (PyTypeObject *)PyTuple_GET_ITEM(tuple, 0);
-
-    extent->epochs = -1;
-    extent->items = -1;
-    if (PyTuple_GET_SIZE(tuple) != (count + 1)) {
-        return false;
-    }
-    for (int place = 0; place < count; ++place) {
-        PyObject *const object = PyTuple_GET_ITEM(tuple, place + 1);
+    for (int place = first; place < end; ++place) {
+        PyObject *const object = objects[place - first];
         const bool fits = (Py_TYPE(object) == type)
             ? take_array((PyArrayObject *)object, &wanted[place], many, extent, &taken[place])
             : take_number(object, &wanted[place], &taken[place]);
@@ -191,6 +190,25 @@ static bool take(
         }
     }
     return (extent->epochs <= INT32_MAX) && (extent->items <= INT32_MAX);
+}
+
+/* Take what is in a tuple behind the type of NumPy's arrays and in front of `more` other things. */
+static bool take(
+    PyObject *tuple,
+    Py_ssize_t more,
+    const wanted_t wanted[],
+    int count,
+    bool many,
+    extent_t *extent,
+    taken_t taken[])
+{
+    PyObject *const *const objects = PySequence_Fast_ITEMS(tuple);
+    const PyTypeObject *const type = (PyTypeObject *)objects[0];
+
+    extent->epochs = -1;
+    extent->items = -1;
+    return (PyTuple_GET_SIZE(tuple) == (1 + count + more))
+        && take_more(type, &objects[1], wanted, 0, count, many, extent, taken);
 }
 
 /* Memory of an epoch. */
@@ -203,6 +221,181 @@ static inline void *epoch_of(const taken_t *taken, const wanted_t *wanted, int32
 static inline bool has_epochs(const extent_t *extent, int32_t first, int32_t count)
 {
     return (first >= 0) && (count >= 0) && ((npy_intp)first + count <= extent->epochs);
+}
+
+/* What a call of Python's keeps, in a tuple: the type of NumPy's arrays, that of its result, and
+   the status of what went well. */
+enum { ARRAY_TYPE, RESULT_TYPE, WENT_WELL };
+
+/* What a bound call keeps behind everything it takes: its result, and what is called with the
+   status when something went otherwise. */
+enum { BOUND_RESULT, OTHERWISE, BOUND_MORE };
+
+/* More items than that are evaluated while other threads run. */
+enum { MANY_ITEMS = 256 };
+
+/* What a call wants: inputs, then outputs, then what only its result has. */
+typedef struct {
+    const wanted_t *wanted;
+    int inputs;
+    int outputs;
+    int results; /* outputs and what only the result has */
+} call_t;
+
+/* A new array as it is wanted. */
+static PyObject *make_array(const wanted_t *wanted, const extent_t *extent, taken_t *taken)
+{
+    npy_intp shape[3] = {0, 0, 0};
+    PyObject *array;
+
+    for (int axis = 0; axis < wanted->rank; ++axis) {
+        shape[axis] = (wanted->shape[axis] == ITEMS) ? extent->items : wanted->shape[axis];
+    }
+    array = PyArray_SimpleNew(wanted->rank, shape, wanted->kind);
+    if (array != NULL) {
+        taken->at = PyArray_DATA((PyArrayObject *)array);
+    }
+    return array;
+}
+
+/* Nothing for Python, which then takes the general way and says what is wrong. */
+static PyObject *decline(PyObject *const results[], int count)
+{
+    for (int place = 0; place < count; ++place) {
+        Py_DECREF(results[place]);
+    }
+    PyErr_Clear();
+    Py_RETURN_NONE;
+}
+
+/* The arrays that `out` holds, one, several or a result; nothing where it holds another number. */
+static PyObject *const *held_by(PyObject *const *out, const PyTypeObject *type, const call_t *call)
+{
+    PyObject *const *arrays = NULL;
+
+    if (Py_TYPE(*out) == type) {
+        arrays = (call->outputs == 1) ? out : NULL;
+    } else if (PyTuple_Check(*out) || PyList_Check(*out)) {
+        const Py_ssize_t size = PySequence_Fast_GET_SIZE(*out);
+
+        arrays = ((size == call->outputs) || (size == (call->results + 1)))
+            ? PySequence_Fast_ITEMS(*out)
+            : NULL;
+    }
+    return arrays;
+}
+
+/* Take what is given and make what is not; false where something is not as it must be. */
+static bool begin(
+    const call_t *call,
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count,
+    PyObject *results[],
+    taken_t taken[],
+    extent_t *extent)
+{
+    const PyTypeObject *const type = (PyTypeObject *)PyTuple_GET_ITEM(kept, ARRAY_TYPE);
+    const int end = call->inputs + call->outputs;
+    PyObject *const *held = NULL;
+
+    extent->epochs = -1;
+    extent->items = -1;
+    if ((count != (call->inputs + 1))
+        || !take_more(type, given, call->wanted, 0, call->inputs, false, extent, taken)) {
+        return false;
+    }
+    if (given[call->inputs] != Py_None) {
+        held = held_by(&given[call->inputs], type, call);
+        if ((held == NULL)
+            || !take_more(type, held, call->wanted, call->inputs, end, false, extent, taken)) {
+            return false;
+        }
+    }
+    for (int made = 0; made < call->results; ++made) {
+        const int place = call->inputs + made;
+
+        if ((held != NULL) && (made < call->outputs)) {
+            results[made] = held[made];
+            Py_INCREF(results[made]);
+        } else {
+            results[made] = make_array(&call->wanted[place], extent, &taken[place]);
+        }
+        if (results[made] == NULL) {
+            Py_DECREF(decline(results, made));
+            return false;
+        }
+    }
+    return true;
+}
+
+/* The result of a call that went well, of its own type; it owns the arrays from now on. */
+static PyObject *finish(
+    const call_t *call,
+    PyObject *kept,
+    PyObject *const results[],
+    int32_t status)
+{
+    PyTypeObject *const type = (PyTypeObject *)PyTuple_GET_ITEM(kept, RESULT_TYPE);
+    PyObject *const well = PyTuple_GET_ITEM(kept, WENT_WELL);
+    PyObject *const result = (status == 0) ? type->tp_alloc(type, call->results + 1) : NULL;
+
+    if (result == NULL) {
+        return decline(results, call->results);
+    }
+    for (int place = 0; place < call->results; ++place) {
+        PyTuple_SET_ITEM(result, place + (place >= call->outputs), results[place]);
+    }
+    Py_INCREF(well);
+    PyTuple_SET_ITEM(result, call->outputs, well);
+    return result;
+}
+
+/* The result of a bound call, whose arrays have been written. */
+static PyObject *finish_bound(PyObject *kept, int count, int32_t status)
+{
+    PyObject *const *const more = PySequence_Fast_ITEMS(kept) + 1 + count;
+    PyObject *result = more[BOUND_RESULT];
+
+    if (status == 0) {
+        Py_INCREF(result);
+    } else {
+        result = PyObject_CallFunction(more[OTHERWISE], "i", (int)status);
+    }
+    return result;
+}
+
+/* Let other threads of Python run while many items are evaluated. */
+static inline PyThreadState *step_aside(const extent_t *extent)
+{
+    return (extent->items > MANY_ITEMS) ? PyEval_SaveThread() : NULL;
+}
+
+static inline void step_back(PyThreadState *aside)
+{
+    if (aside != NULL) {
+        PyEval_RestoreThread(aside);
+    }
+}
+
+/* Put the call of a name into a list of Python's, by its address, in the place of what the call
+   keeps. */
+static int32_t open_call(uintptr_t given, const char *name, PyMethodDef methods[], int count)
+{
+    PyObject *const list = (PyObject *)given;
+    const PyGILState_STATE held = PyGILState_Ensure();
+    bool opened = false;
+
+    for (int place = 0; place < count; ++place) {
+        if ((strcmp(methods[place].ml_name, name) == 0) && (_import_array() == 0)) {
+            PyObject *const call = PyCFunction_New(&methods[place], PyList_GET_ITEM(list, 0));
+
+            opened = (call != NULL) && (PyList_SetItem(list, 0, call) == 0);
+        }
+    }
+    PyErr_Clear();
+    PyGILState_Release(held);
+    return opened ? 1 : 0;
 }
 
 #endif

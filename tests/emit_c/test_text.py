@@ -296,6 +296,33 @@ def test_inputs_may_be_called_like_locals(tmp_path: Path) -> None:
     run("gcc", *STRICT, f"-I{package / 'c' / 'include'}", "-c", path, "-o", os.devnull)
 
 
+@gcc
+def test_slots_of_the_reference_have_names_of_their_own(tmp_path: Path) -> None:
+    """Also where an input is called as the slot of the reference would be."""
+    slots = ("slot", "reference_slot", "reference_reference_slot")
+    arguments = [building.argument(building.integers(name, 0.0, 2.0), item=True) for name in slots]
+    places = [ir.Offset(3 * k, ir.Load(name, 0)) for k, name in enumerate(slots)]
+    function = building.function(
+        "placed",
+        [building.X, *arguments],
+        item=(ir.Statement("half", building.mul(ir.Load("x", 0), 0.5)),),
+        outputs=(
+            building.output("value", (), [((), "half")], item=True),
+            building.output(
+                "jacobian",
+                (19,),
+                [((place,), float(k)) for k, place in enumerate(places)],
+                item=True,
+            ),
+        ),
+        maximum=5,
+        single_difference=True,
+    )
+    package = write_package(tmp_path, modules.module(function))
+    path = package / "c" / "src" / "rover_placed.c"
+    run("gcc", *STRICT, f"-I{package / 'c' / 'include'}", "-c", path, "-o", os.devnull)
+
+
 def test_names_are_unique_without_regard_to_case() -> None:
     """And none is a word of C or of math.h."""
     names = Names(["in"])

@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import gc
+import sys
+import weakref
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 import numpy as np
 import pytest
-from numpy.testing import assert_array_equal
+from numpy.testing import assert_allclose, assert_array_equal
 
 from symnav import build
 from symnav.emit import c
@@ -34,16 +38,22 @@ def epoch(rng: np.random.Generator, *batch: int) -> list[Any]:
 
 
 def entered(way: Callable[..., int], arrays: list[Any], *more: int) -> int:
-    """What a straight way answers."""
+    """What a straight way for many epochs answers."""
     given = (np.ndarray, *arrays)
     return way(id(given), *more)
+
+
+def once(library: Any, name: str, arrays: list[Any]) -> int:
+    """The status of a bound call, or that it takes the general way."""
+    call = library.bound(name, arrays, 0, int)
+    return UNFIT if call is None else int(call())
 
 
 def test_arrays_are_taken_as_they_are(package: ModuleType, rng: np.random.Generator) -> None:
     """One epoch, and some of many."""
     native = backend(package, "native")
     arrays = epoch(rng)
-    assert entered(native._library.straight("gps"), arrays) == 0
+    assert once(native._library, "gps", arrays) == 0
     fresh = backend(package, "numpy").gps(arrays[0], lever_arm=arrays[1])
     for array, expected in zip(arrays[2:], fresh, strict=False):
         assert array == pytest.approx(expected, rel=1e-13)
@@ -107,16 +117,92 @@ def test_what_does_not_fit_is_declined(
     arrays = epoch(rng)
     UNFITTING[change](arrays)
     held = [np.array(array) for array in arrays[2:]]
-    assert entered(backend(package, "native")._library.straight("gps"), arrays) == UNFIT
+    library = backend(package, "native")._library
+    assert once(library, "gps", arrays) == UNFIT
+    call = library.call("gps", tuple)
+    assert call(*arrays[:2], arrays[2:]) is None
     for array, before in zip(arrays[2:], held, strict=True):
         assert_array_equal(array, before)
+
+
+def test_calls_make_what_they_are_not_given(package: ModuleType, rng: np.random.Generator) -> None:
+    """Arrays of the shapes of one epoch, or those that `out` holds, in a result of its own type."""
+    native = backend(package, "native")
+    kind = type(native.gps(*epoch(rng)[:1], lever_arm=epoch(rng)[1]))
+    call = native._library.call("gps", kind)
+    x, arm, *out = epoch(rng)
+    fresh, expected = call(x, arm, None), backend(package, "numpy").gps(x, lever_arm=arm)
+    assert type(fresh) is kind and fresh.status is package.Status.OK
+    for array, other in zip(fresh[:-1], expected[:-1], strict=True):
+        assert (
+            type(array) is np.ndarray and array.shape == other.shape and array.dtype == other.dtype
+        )
+        assert array.flags.c_contiguous and array.flags.owndata and array.flags.writeable
+        assert array == pytest.approx(other, rel=1e-13)
+    holders: list[Any] = [out, tuple(out), (*out, None), kind(*out, None)]
+    for holder in holders:
+        for array in out:
+            array.fill(777.0)
+        filled = call(x, arm, holder)
+        for given, array, other in zip(out, filled, fresh, strict=False):
+            assert array is given
+            assert_array_equal(array, other)
+    alone = epoch(rng)[2]
+    others: list[Any] = [out[:-1], [*out, None, None], iter(out), out[0], {}, "four", 4, b"four"]
+    for holder in [*others, [*out[:-1], None], [*out[:-1], alone[:2]]]:
+        assert call(x, arm, holder) is None
+    for given in ((), (x,), (x, arm), (x, arm, None, None)):
+        assert call(*given) is None
+
+
+def test_calls_keep_count_of_what_they_hold(package: ModuleType, rng: np.random.Generator) -> None:
+    """Whatever becomes of a call, every object has as many owners afterwards as before."""
+    native = backend(package, "native")
+    call = native._library.call("ranges", tuple)
+    given = list(packages.arguments(FUNCTIONS["ranges"], rng, items=5).values())
+    out: list[Any] = [np.zeros(5), np.zeros(()), np.zeros((5, 12))]
+    failing = [given[0] * np.nan, *given[1:]]
+    bound = native._library.bound("ranges", [*given, *out, np.zeros(5, np.uint8)], out, int)
+    held = [*given, *out, out, package.Status.OK, tuple]
+    before = [sys.getrefcount(one) for one in held]
+    for _ in range(100):
+        assert call(*given, None) is not None
+        assert call(*given, out) is not None
+        assert call(*given, [*out[:2], None]) is None
+        assert call(*failing, None) is None
+        assert call(*failing, out) is None
+        assert bound() is out
+    assert [sys.getrefcount(one) for one in held] == before
+    found = call(*given, None)
+    assert [np.shape(one) for one in found] == [(5,), (), (5, 12), (), (5,)]
+    assert found[3] is package.Status.OK and found[4].dtype == np.uint8
+    kept = weakref.ref(call(*given, None)[2])
+    assert kept() is None
+
+
+def test_many_items_let_others_run(tmp_path: Path, rng: np.random.Generator) -> None:
+    """More items than are worth it to hold the interpreter for, by several threads at once."""
+    ranges = replace(modules.ranges(), maximum=3000)
+    made = modules.module(ranges, name="many")
+    packages.write({**packages.text_of(made), **c.emit(made)}, tmp_path / "many")
+    build.build(tmp_path / "many")
+    many = packages.load(tmp_path / "many")
+    given = [packages.arguments(ranges, rng, items=n) for n in (256, 257, 3000)]
+    expected = [called(backend(many, "numpy").ranges, one) for one in given]
+    bound = called(many.ranges.bind, given[-1])
+    with ThreadPoolExecutor(4) as pool:
+        for place, found in enumerate(
+            pool.map(lambda k: called(many.ranges, given[k % 3]), range(300))
+        ):
+            assert_allclose(found.jacobian, expected[place % 3].jacobian, rtol=1e-12)
+        assert all(pool.map(lambda _: bound() is bound(), range(100)))
 
 
 def test_overlap_is_declined_and_neighbours_are_not(
     package: ModuleType, rng: np.random.Generator
 ) -> None:
     """To the byte: from the first element of one to the last of the other."""
-    way = backend(package, "native")._library.straight("gps")
+    library = backend(package, "native")._library
     fresh = epoch(rng)
     for start, answer in ((0, UNFIT), (2, UNFIT), (3, 0), (4, UNFIT), (5, UNFIT), (6, 0)):
         memory = np.zeros(9)
@@ -124,19 +210,19 @@ def test_overlap_is_declined_and_neighbours_are_not(
         arrays[1] = memory[:3] if start < 4 else memory[3:6]
         arrays[1][...] = fresh[1]
         arrays[2] = memory[start : start + 3]
-        assert entered(way, arrays) == answer, start
+        assert once(library, "gps", arrays) == answer, start
     memory = np.zeros(39)
     pair = [*fresh[:2], memory[:3], fresh[3], memory[3:39].reshape(3, 12), fresh[5]]
-    assert entered(way, pair) == 0
+    assert once(library, "gps", pair) == 0
     pair[4] = memory[2:38].reshape(3, 12)
-    assert entered(way, pair) == UNFIT
+    assert once(library, "gps", pair) == UNFIT
 
 
 def test_read_only_inputs_are_taken(package: ModuleType, rng: np.random.Generator) -> None:
     """What is read need not be writable."""
     arrays = epoch(rng)
     locked(arrays[0])
-    assert entered(backend(package, "native")._library.straight("gps"), arrays) == 0
+    assert once(backend(package, "native")._library, "gps", arrays) == 0
 
 
 def test_epochs_that_do_not_fit_are_declined(package: ModuleType, rng: np.random.Generator) -> None:
@@ -161,38 +247,37 @@ def test_epochs_that_do_not_fit_are_declined(package: ModuleType, rng: np.random
 
 def test_items_are_counted(package: ModuleType, rng: np.random.Generator) -> None:
     """All arrays of items have the same number of them; more than the most have a status."""
-    way = backend(package, "native")._library.straight("ranges")
+    library = backend(package, "native")._library
 
     def made(items: int) -> list[Any]:
         given = packages.arguments(FUNCTIONS["ranges"], rng, items=items)
         values = [np.zeros(items), np.zeros(()), np.zeros((items, 12)), np.zeros(items, np.uint8)]
         return [*given.values(), *values]
 
-    assert entered(way, made(5)) == 0
-    assert entered(way, made(0)) == 0
-    assert entered(way, made(9)) == package.Status.COUNT
+    assert once(library, "ranges", made(5)) == 0
+    assert once(library, "ranges", made(0)) == 0
+    assert once(library, "ranges", made(9)) == package.Status.COUNT
     for place in (2, 3, 4, 5, 7, 8):
         arrays = made(5)
         arrays[place] = np.array(arrays[place][:4])
-        assert entered(way, arrays) == UNFIT, place
+        assert once(library, "ranges", arrays) == UNFIT, place
 
 
 def test_numbers_are_taken(package: ModuleType) -> None:
     """Floats of Python and NumPy, and arrays without axes; integers take the general way."""
     native = backend(package, "native")
-    way = native._library.straight("operations")
     outputs = [np.zeros(output.shape) for output in FUNCTIONS["operations"].outputs]
     numbers: list[Any] = [0.5, np.float64(0.5), np.array(0.5)]
     for number in numbers:
-        assert entered(way, [number, 1.5, *outputs]) == 0
+        assert once(native._library, "operations", [number, 1.5, *outputs]) == 0
         assert outputs[0][0] == 2.0
     others: list[Any] = [1, True, np.float32(0.5), "0.5", 0.5j]
     for number in others:
-        assert entered(way, [number, 1.5, *outputs]) == UNFIT
+        assert once(native._library, "operations", [number, 1.5, *outputs]) == UNFIT
     assert native.operations(a=1, b=1.5).value[0] == 2.5
-    single = backend(package, "native_f32")._library.straight("operations")
+    single = backend(package, "native_f32")._library
     narrow = [array.astype(np.float32) for array in outputs]
-    assert entered(single, [0.1, 1.5, *narrow]) == 0
+    assert once(single, "operations", [0.1, 1.5, *narrow]) == 0
     assert narrow[0][0] == np.float32(0.1) + np.float32(1.5)
 
 
@@ -214,7 +299,7 @@ def test_nothing_depends_on_straight_ways(
 ) -> None:
     """The general way gives the same bits, writes to given arrays and refuses the same."""
     assert small.BACKEND == "native"
-    assert not hasattr(backend(small, "native")._library.lib, "straight_small_gps")
+    assert not hasattr(backend(small, "native")._library.lib, "straight_small__open")
     for batch in ((), (5,)):
         arrays = epoch(rng, *batch)
         own = small.gps(arrays[0], lever_arm=arrays[1])
@@ -232,14 +317,14 @@ def test_a_build_with_headers_is_another(small: ModuleType, tmp_path: Path) -> N
     made = packages.write({**packages.text_of(module), **c.emit(module)}, tmp_path / "small")
     build.build(made)
     native = backend(packages.load(made), "native")
-    assert native._library.lib.straight_small_layout() == int(np.__version__.split(".")[0])
+    assert native._library.lib.straight_small__layout() == int(np.__version__.split(".")[0])
     assert native._module.__name__ != backend(small, "native")._module.__name__
-    way, value = native._library.straight("choice"), np.zeros(1)
+    value = np.zeros(1)
     x = packages.states(np.random.default_rng(2))
     for number, answer in ((0, 0), (1, 0), (2, 2), (2**31, UNFIT), (2**70, UNFIT), (0.0, UNFIT)):
-        assert entered(way, [x, number, value]) == answer
+        assert once(native._library, "choice", [x, number, value]) == answer
     for number in (0, 1):
-        assert entered(way, [x, number, value]) == 0
+        assert once(native._library, "choice", [x, number, value]) == 0
         assert value[0] == x[number]
         assert native.choice(x, k=np.int64(number)).value[0] == x[number]
 
@@ -274,14 +359,14 @@ def test_other_arrays_than_those_compiled_for(
     arrays = epoch(rng)
     monkeypatch.setattr(np, "__version__", other)
     library = extension.Library(native._module, "rover", "float64")
-    assert entered(library.straight("gps"), arrays) == UNFIT
+    assert once(library, "gps", arrays) == UNFIT
     monkeypatch.undo()
     monkeypatch.setattr(extension.sys.implementation, "name", "pypy")
     library = extension.Library(native._module, "rover", "float64")
-    assert entered(library.straight("gps"), arrays) == UNFIT
+    assert once(library, "gps", arrays) == UNFIT
     monkeypatch.undo()
     library = extension.Library(native._module, "rover", "float64")
-    assert entered(library.straight("gps"), arrays) == 0
+    assert once(library, "gps", arrays) == 0
 
 
 def test_results_of_a_given_array(package: ModuleType, rng: np.random.Generator) -> None:

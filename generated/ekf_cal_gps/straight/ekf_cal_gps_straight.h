@@ -1,23 +1,20 @@
 /* Straight ways into the C of ekf_cal_gps, for Python; see straight.h.
-   An epoch by the address of a tuple; many by that, the first epoch and their number. */
+   Many epochs by the address of a tuple, the first of them and their number. No function of a
+   specification has a name that begins with an underscore. */
 #ifndef EKF_CAL_GPS_STRAIGHT_H
 #define EKF_CAL_GPS_STRAIGHT_H
 
 #include <stdint.h>
 
 /* Interface begins. */
-int32_t straight_ekf_cal_gps_layout(void); /* generation of NumPy whose arrays are read */
-int32_t straight_ekf_cal_gps_retract(uintptr_t given);
+int32_t straight_ekf_cal_gps__layout(void); /* generation of NumPy whose arrays are read */
+int32_t straight_ekf_cal_gps__open(uintptr_t list, const char *name);
 int32_t straight_ekf_cal_gps_retract_batch(uintptr_t given, int32_t first, int32_t count);
-int32_t straight_ekf_cal_gps_local(uintptr_t given);
 int32_t straight_ekf_cal_gps_local_batch(uintptr_t given, int32_t first, int32_t count);
-int32_t straight_ekf_cal_gps_gps(uintptr_t given);
 int32_t straight_ekf_cal_gps_gps_batch(uintptr_t given, int32_t first, int32_t count);
 int32_t straight_ekf_cal_gps_gps_batch_nz(uintptr_t given, int32_t first, int32_t count);
-int32_t straight_ekf_cal_gps_gps_known_antenna(uintptr_t given);
 int32_t straight_ekf_cal_gps_gps_known_antenna_batch(uintptr_t given, int32_t first, int32_t count);
 int32_t straight_ekf_cal_gps_gps_known_antenna_batch_nz(uintptr_t given, int32_t first, int32_t count);
-int32_t straight_ekf_cal_gps_local_fix(uintptr_t given);
 int32_t straight_ekf_cal_gps_local_fix_batch(uintptr_t given, int32_t first, int32_t count);
 int32_t straight_ekf_cal_gps_local_fix_batch_nz(uintptr_t given, int32_t first, int32_t count);
 /* Interface ends. */

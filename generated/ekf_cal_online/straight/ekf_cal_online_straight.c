@@ -5,40 +5,27 @@
 
 #include "ekf_cal_online/ekf_cal_online.h"
 
-int32_t straight_ekf_cal_online_layout(void)
+int32_t straight_ekf_cal_online__layout(void)
 {
     return NPY_ABI_VERSION >> 24;
 }
 
-int32_t straight_ekf_cal_online_retract(uintptr_t given)
-{
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {26}},
-        {NPY_DOUBLE, 8, false, 1, {25}},
-        {NPY_DOUBLE, 8, true, 1, {26}},
-    };
-    taken_t taken[3];
-    extent_t extent;
-
-    if (!take(given, wanted, 3, false, &extent, taken)) {
-        return UNFIT;
-    }
-    return (int32_t)ekf_cal_online_retract(
-        taken[0].at, taken[1].at, taken[2].at);
-}
+static const wanted_t wanted_ekf_cal_online_retract_batch[] = {
+    {NPY_DOUBLE, 8, false, 1, {26}},
+    {NPY_DOUBLE, 8, false, 1, {25}},
+    {NPY_DOUBLE, 8, true, 1, {26}},
+    {NPY_UINT8, 1, true, 0, {0}},
+};
 
 int32_t straight_ekf_cal_online_retract_batch(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {26}},
-        {NPY_DOUBLE, 8, false, 1, {25}},
-        {NPY_DOUBLE, 8, true, 1, {26}},
-        {NPY_UINT8, 1, true, 0, {0}},
-    };
+    const wanted_t *const wanted = wanted_ekf_cal_online_retract_batch;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[4];
     extent_t extent;
 
-    if (!take(given, wanted, 4, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 4, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)ekf_cal_online_retract_batch(
@@ -47,35 +34,22 @@ int32_t straight_ekf_cal_online_retract_batch(uintptr_t given, int32_t first, in
         epoch_of(&taken[2], &wanted[2], first), epoch_of(&taken[3], &wanted[3], first));
 }
 
-int32_t straight_ekf_cal_online_local(uintptr_t given)
-{
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {26}},
-        {NPY_DOUBLE, 8, false, 1, {26}},
-        {NPY_DOUBLE, 8, true, 1, {25}},
-    };
-    taken_t taken[3];
-    extent_t extent;
-
-    if (!take(given, wanted, 3, false, &extent, taken)) {
-        return UNFIT;
-    }
-    return (int32_t)ekf_cal_online_local(
-        taken[0].at, taken[1].at, taken[2].at);
-}
+static const wanted_t wanted_ekf_cal_online_local_batch[] = {
+    {NPY_DOUBLE, 8, false, 1, {26}},
+    {NPY_DOUBLE, 8, false, 1, {26}},
+    {NPY_DOUBLE, 8, true, 1, {25}},
+    {NPY_UINT8, 1, true, 0, {0}},
+};
 
 int32_t straight_ekf_cal_online_local_batch(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {26}},
-        {NPY_DOUBLE, 8, false, 1, {26}},
-        {NPY_DOUBLE, 8, true, 1, {25}},
-        {NPY_UINT8, 1, true, 0, {0}},
-    };
+    const wanted_t *const wanted = wanted_ekf_cal_online_local_batch;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[4];
     extent_t extent;
 
-    if (!take(given, wanted, 4, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 4, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)ekf_cal_online_local_batch(
@@ -84,43 +58,26 @@ int32_t straight_ekf_cal_online_local_batch(uintptr_t given, int32_t first, int3
         epoch_of(&taken[2], &wanted[2], first), epoch_of(&taken[3], &wanted[3], first));
 }
 
-int32_t straight_ekf_cal_online_gps_1(uintptr_t given)
-{
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {26}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_DOUBLE, 8, true, 2, {3, 25}},
-        {NPY_DOUBLE, 8, true, 2, {3, 3}},
-    };
-    taken_t taken[7];
-    extent_t extent;
-
-    if (!take(given, wanted, 7, false, &extent, taken)) {
-        return UNFIT;
-    }
-    return (int32_t)ekf_cal_online_gps_1(
-        taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at, taken[6].at);
-}
+static const wanted_t wanted_ekf_cal_online_gps_1_batch[] = {
+    {NPY_DOUBLE, 8, false, 1, {26}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 2, {3, 25}},
+    {NPY_DOUBLE, 8, true, 2, {3, 3}},
+    {NPY_UINT8, 1, true, 0, {0}},
+};
 
 int32_t straight_ekf_cal_online_gps_1_batch(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {26}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_DOUBLE, 8, true, 2, {3, 25}},
-        {NPY_DOUBLE, 8, true, 2, {3, 3}},
-        {NPY_UINT8, 1, true, 0, {0}},
-    };
+    const wanted_t *const wanted = wanted_ekf_cal_online_gps_1_batch;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[8];
     extent_t extent;
 
-    if (!take(given, wanted, 8, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 8, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)ekf_cal_online_gps_1_batch(
@@ -132,22 +89,26 @@ int32_t straight_ekf_cal_online_gps_1_batch(uintptr_t given, int32_t first, int3
         epoch_of(&taken[7], &wanted[7], first));
 }
 
+static const wanted_t wanted_ekf_cal_online_gps_1_batch_nz[] = {
+    {NPY_DOUBLE, 8, false, 1, {26}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {25}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_UINT8, 1, true, 0, {0}},
+};
+
 int32_t straight_ekf_cal_online_gps_1_batch_nz(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {26}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_DOUBLE, 8, true, 1, {25}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_UINT8, 1, true, 0, {0}},
-    };
+    const wanted_t *const wanted = wanted_ekf_cal_online_gps_1_batch_nz;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[8];
     extent_t extent;
 
-    if (!take(given, wanted, 8, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 8, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)ekf_cal_online_gps_1_batch_nz(
@@ -159,43 +120,26 @@ int32_t straight_ekf_cal_online_gps_1_batch_nz(uintptr_t given, int32_t first, i
         epoch_of(&taken[7], &wanted[7], first));
 }
 
-int32_t straight_ekf_cal_online_gps_2(uintptr_t given)
-{
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {26}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_DOUBLE, 8, true, 2, {3, 25}},
-        {NPY_DOUBLE, 8, true, 2, {3, 3}},
-    };
-    taken_t taken[7];
-    extent_t extent;
-
-    if (!take(given, wanted, 7, false, &extent, taken)) {
-        return UNFIT;
-    }
-    return (int32_t)ekf_cal_online_gps_2(
-        taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at, taken[6].at);
-}
+static const wanted_t wanted_ekf_cal_online_gps_2_batch[] = {
+    {NPY_DOUBLE, 8, false, 1, {26}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 2, {3, 25}},
+    {NPY_DOUBLE, 8, true, 2, {3, 3}},
+    {NPY_UINT8, 1, true, 0, {0}},
+};
 
 int32_t straight_ekf_cal_online_gps_2_batch(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {26}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_DOUBLE, 8, true, 2, {3, 25}},
-        {NPY_DOUBLE, 8, true, 2, {3, 3}},
-        {NPY_UINT8, 1, true, 0, {0}},
-    };
+    const wanted_t *const wanted = wanted_ekf_cal_online_gps_2_batch;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[8];
     extent_t extent;
 
-    if (!take(given, wanted, 8, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 8, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)ekf_cal_online_gps_2_batch(
@@ -207,22 +151,26 @@ int32_t straight_ekf_cal_online_gps_2_batch(uintptr_t given, int32_t first, int3
         epoch_of(&taken[7], &wanted[7], first));
 }
 
+static const wanted_t wanted_ekf_cal_online_gps_2_batch_nz[] = {
+    {NPY_DOUBLE, 8, false, 1, {26}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {25}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_UINT8, 1, true, 0, {0}},
+};
+
 int32_t straight_ekf_cal_online_gps_2_batch_nz(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {26}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_DOUBLE, 8, true, 1, {25}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_UINT8, 1, true, 0, {0}},
-    };
+    const wanted_t *const wanted = wanted_ekf_cal_online_gps_2_batch_nz;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[8];
     extent_t extent;
 
-    if (!take(given, wanted, 8, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 8, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)ekf_cal_online_gps_2_batch_nz(
@@ -232,4 +180,224 @@ int32_t straight_ekf_cal_online_gps_2_batch_nz(uintptr_t given, int32_t first, i
         epoch_of(&taken[3], &wanted[3], first), epoch_of(&taken[4], &wanted[4], first),
         epoch_of(&taken[5], &wanted[5], first), epoch_of(&taken[6], &wanted[6], first),
         epoch_of(&taken[7], &wanted[7], first));
+}
+
+static const wanted_t wanted_ekf_cal_online_retract[] = {
+    {NPY_DOUBLE, 8, false, 1, {26}},
+    {NPY_DOUBLE, 8, false, 1, {25}},
+    {NPY_DOUBLE, 8, true, 1, {26}},
+};
+
+static PyObject *call_ekf_cal_online_retract(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_ekf_cal_online_retract, 2, 1, 1};
+    PyObject *results[1];
+    taken_t taken[3];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)ekf_cal_online_retract(
+        taken[0].at, taken[1].at, taken[2].at);
+    step_back(aside);
+    return finish(&call, kept, results, status);
+}
+
+static PyObject *bound_ekf_cal_online_retract(PyObject *kept, PyObject *nothing)
+{
+    const wanted_t *const wanted = wanted_ekf_cal_online_retract;
+    taken_t taken[3];
+    extent_t extent;
+    int32_t status = UNFIT;
+
+    (void)nothing;
+    if (take(kept, BOUND_MORE, wanted, 3, false, &extent, taken)) {
+        PyThreadState *const aside = step_aside(&extent);
+
+        status = (int32_t)ekf_cal_online_retract(
+            taken[0].at, taken[1].at, taken[2].at);
+        step_back(aside);
+    }
+    return finish_bound(kept, 3, status);
+}
+
+static const wanted_t wanted_ekf_cal_online_local[] = {
+    {NPY_DOUBLE, 8, false, 1, {26}},
+    {NPY_DOUBLE, 8, false, 1, {26}},
+    {NPY_DOUBLE, 8, true, 1, {25}},
+};
+
+static PyObject *call_ekf_cal_online_local(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_ekf_cal_online_local, 2, 1, 1};
+    PyObject *results[1];
+    taken_t taken[3];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)ekf_cal_online_local(
+        taken[0].at, taken[1].at, taken[2].at);
+    step_back(aside);
+    return finish(&call, kept, results, status);
+}
+
+static PyObject *bound_ekf_cal_online_local(PyObject *kept, PyObject *nothing)
+{
+    const wanted_t *const wanted = wanted_ekf_cal_online_local;
+    taken_t taken[3];
+    extent_t extent;
+    int32_t status = UNFIT;
+
+    (void)nothing;
+    if (take(kept, BOUND_MORE, wanted, 3, false, &extent, taken)) {
+        PyThreadState *const aside = step_aside(&extent);
+
+        status = (int32_t)ekf_cal_online_local(
+            taken[0].at, taken[1].at, taken[2].at);
+        step_back(aside);
+    }
+    return finish_bound(kept, 3, status);
+}
+
+static const wanted_t wanted_ekf_cal_online_gps_1[] = {
+    {NPY_DOUBLE, 8, false, 1, {26}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 2, {3, 25}},
+    {NPY_DOUBLE, 8, true, 2, {3, 3}},
+};
+
+static PyObject *call_ekf_cal_online_gps_1(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_ekf_cal_online_gps_1, 3, 4, 4};
+    PyObject *results[4];
+    taken_t taken[7];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)ekf_cal_online_gps_1(
+        taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
+        taken[6].at);
+    step_back(aside);
+    return finish(&call, kept, results, status);
+}
+
+static PyObject *bound_ekf_cal_online_gps_1(PyObject *kept, PyObject *nothing)
+{
+    const wanted_t *const wanted = wanted_ekf_cal_online_gps_1;
+    taken_t taken[7];
+    extent_t extent;
+    int32_t status = UNFIT;
+
+    (void)nothing;
+    if (take(kept, BOUND_MORE, wanted, 7, false, &extent, taken)) {
+        PyThreadState *const aside = step_aside(&extent);
+
+        status = (int32_t)ekf_cal_online_gps_1(
+            taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
+            taken[6].at);
+        step_back(aside);
+    }
+    return finish_bound(kept, 7, status);
+}
+
+static const wanted_t wanted_ekf_cal_online_gps_2[] = {
+    {NPY_DOUBLE, 8, false, 1, {26}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 2, {3, 25}},
+    {NPY_DOUBLE, 8, true, 2, {3, 3}},
+};
+
+static PyObject *call_ekf_cal_online_gps_2(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_ekf_cal_online_gps_2, 3, 4, 4};
+    PyObject *results[4];
+    taken_t taken[7];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)ekf_cal_online_gps_2(
+        taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
+        taken[6].at);
+    step_back(aside);
+    return finish(&call, kept, results, status);
+}
+
+static PyObject *bound_ekf_cal_online_gps_2(PyObject *kept, PyObject *nothing)
+{
+    const wanted_t *const wanted = wanted_ekf_cal_online_gps_2;
+    taken_t taken[7];
+    extent_t extent;
+    int32_t status = UNFIT;
+
+    (void)nothing;
+    if (take(kept, BOUND_MORE, wanted, 7, false, &extent, taken)) {
+        PyThreadState *const aside = step_aside(&extent);
+
+        status = (int32_t)ekf_cal_online_gps_2(
+            taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
+            taken[6].at);
+        step_back(aside);
+    }
+    return finish_bound(kept, 7, status);
+}
+
+int32_t straight_ekf_cal_online__open(uintptr_t list, const char *name)
+{
+    static PyMethodDef methods[] = {
+        {"retract", (PyCFunction)(void (*)(void))call_ekf_cal_online_retract,
+         METH_FASTCALL, NULL},
+        {"retract.bind", bound_ekf_cal_online_retract, METH_NOARGS, NULL},
+        {"local", (PyCFunction)(void (*)(void))call_ekf_cal_online_local,
+         METH_FASTCALL, NULL},
+        {"local.bind", bound_ekf_cal_online_local, METH_NOARGS, NULL},
+        {"gps_1", (PyCFunction)(void (*)(void))call_ekf_cal_online_gps_1,
+         METH_FASTCALL, NULL},
+        {"gps_1.bind", bound_ekf_cal_online_gps_1, METH_NOARGS, NULL},
+        {"gps_2", (PyCFunction)(void (*)(void))call_ekf_cal_online_gps_2,
+         METH_FASTCALL, NULL},
+        {"gps_2.bind", bound_ekf_cal_online_gps_2, METH_NOARGS, NULL},
+    };
+
+    return open_call(list, name, methods, 8);
 }

@@ -5,40 +5,27 @@
 
 #include "farrell_tightly_coupled/farrell_tightly_coupled.h"
 
-int32_t straight_farrell_tightly_coupled_layout(void)
+int32_t straight_farrell_tightly_coupled__layout(void)
 {
     return NPY_ABI_VERSION >> 24;
 }
 
-int32_t straight_farrell_tightly_coupled_retract(uintptr_t given)
-{
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {18}},
-        {NPY_DOUBLE, 8, false, 1, {17}},
-        {NPY_DOUBLE, 8, true, 1, {18}},
-    };
-    taken_t taken[3];
-    extent_t extent;
-
-    if (!take(given, wanted, 3, false, &extent, taken)) {
-        return UNFIT;
-    }
-    return (int32_t)farrell_tightly_coupled_retract(
-        taken[0].at, taken[1].at, taken[2].at);
-}
+static const wanted_t wanted_farrell_tightly_coupled_retract_batch[] = {
+    {NPY_DOUBLE, 8, false, 1, {18}},
+    {NPY_DOUBLE, 8, false, 1, {17}},
+    {NPY_DOUBLE, 8, true, 1, {18}},
+    {NPY_UINT8, 1, true, 0, {0}},
+};
 
 int32_t straight_farrell_tightly_coupled_retract_batch(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {18}},
-        {NPY_DOUBLE, 8, false, 1, {17}},
-        {NPY_DOUBLE, 8, true, 1, {18}},
-        {NPY_UINT8, 1, true, 0, {0}},
-    };
+    const wanted_t *const wanted = wanted_farrell_tightly_coupled_retract_batch;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[4];
     extent_t extent;
 
-    if (!take(given, wanted, 4, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 4, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)farrell_tightly_coupled_retract_batch(
@@ -47,35 +34,22 @@ int32_t straight_farrell_tightly_coupled_retract_batch(uintptr_t given, int32_t 
         epoch_of(&taken[2], &wanted[2], first), epoch_of(&taken[3], &wanted[3], first));
 }
 
-int32_t straight_farrell_tightly_coupled_local(uintptr_t given)
-{
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {18}},
-        {NPY_DOUBLE, 8, false, 1, {18}},
-        {NPY_DOUBLE, 8, true, 1, {17}},
-    };
-    taken_t taken[3];
-    extent_t extent;
-
-    if (!take(given, wanted, 3, false, &extent, taken)) {
-        return UNFIT;
-    }
-    return (int32_t)farrell_tightly_coupled_local(
-        taken[0].at, taken[1].at, taken[2].at);
-}
+static const wanted_t wanted_farrell_tightly_coupled_local_batch[] = {
+    {NPY_DOUBLE, 8, false, 1, {18}},
+    {NPY_DOUBLE, 8, false, 1, {18}},
+    {NPY_DOUBLE, 8, true, 1, {17}},
+    {NPY_UINT8, 1, true, 0, {0}},
+};
 
 int32_t straight_farrell_tightly_coupled_local_batch(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {18}},
-        {NPY_DOUBLE, 8, false, 1, {18}},
-        {NPY_DOUBLE, 8, true, 1, {17}},
-        {NPY_UINT8, 1, true, 0, {0}},
-    };
+    const wanted_t *const wanted = wanted_farrell_tightly_coupled_local_batch;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[4];
     extent_t extent;
 
-    if (!take(given, wanted, 4, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 4, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)farrell_tightly_coupled_local_batch(
@@ -84,48 +58,28 @@ int32_t straight_farrell_tightly_coupled_local_batch(uintptr_t given, int32_t fi
         epoch_of(&taken[2], &wanted[2], first), epoch_of(&taken[3], &wanted[3], first));
 }
 
-int32_t straight_farrell_tightly_coupled_pseudorange(uintptr_t given)
-{
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {18}},
-        {NPY_DOUBLE, 8, false, 1, {9}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
-        {NPY_DOUBLE, 8, false, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, true, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, true, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, true, 2, {ITEMS, 17}},
-        {NPY_UINT8, 1, true, 1, {ITEMS}},
-    };
-    taken_t taken[9];
-    extent_t extent;
-
-    if (!take(given, wanted, 9, false, &extent, taken)) {
-        return UNFIT;
-    }
-    return (int32_t)farrell_tightly_coupled_pseudorange(
-        taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
-        taken[5].at, taken[6].at, taken[7].at, taken[8].at);
-}
+static const wanted_t wanted_farrell_tightly_coupled_pseudorange_batch[] = {
+    {NPY_DOUBLE, 8, false, 1, {18}},
+    {NPY_DOUBLE, 8, false, 1, {9}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, true, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, true, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, true, 2, {ITEMS, 17}},
+    {NPY_UINT8, 1, true, 0, {0}},
+    {NPY_UINT8, 1, true, 1, {ITEMS}},
+};
 
 int32_t straight_farrell_tightly_coupled_pseudorange_batch(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {18}},
-        {NPY_DOUBLE, 8, false, 1, {9}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
-        {NPY_DOUBLE, 8, false, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, true, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, true, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, true, 2, {ITEMS, 17}},
-        {NPY_UINT8, 1, true, 0, {0}},
-        {NPY_UINT8, 1, true, 1, {ITEMS}},
-    };
+    const wanted_t *const wanted = wanted_farrell_tightly_coupled_pseudorange_batch;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[10];
     extent_t extent;
 
-    if (!take(given, wanted, 10, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 10, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)farrell_tightly_coupled_pseudorange_batch(
@@ -139,24 +93,28 @@ int32_t straight_farrell_tightly_coupled_pseudorange_batch(uintptr_t given, int3
         epoch_of(&taken[9], &wanted[9], first));
 }
 
+static const wanted_t wanted_farrell_tightly_coupled_pseudorange_batch_nz[] = {
+    {NPY_DOUBLE, 8, false, 1, {18}},
+    {NPY_DOUBLE, 8, false, 1, {9}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, true, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, true, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, true, 2, {4, ITEMS}},
+    {NPY_UINT8, 1, true, 0, {0}},
+    {NPY_UINT8, 1, true, 1, {ITEMS}},
+};
+
 int32_t straight_farrell_tightly_coupled_pseudorange_batch_nz(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {18}},
-        {NPY_DOUBLE, 8, false, 1, {9}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
-        {NPY_DOUBLE, 8, false, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, true, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, true, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, true, 2, {4, ITEMS}},
-        {NPY_UINT8, 1, true, 0, {0}},
-        {NPY_UINT8, 1, true, 1, {ITEMS}},
-    };
+    const wanted_t *const wanted = wanted_farrell_tightly_coupled_pseudorange_batch_nz;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[10];
     extent_t extent;
 
-    if (!take(given, wanted, 10, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 10, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)farrell_tightly_coupled_pseudorange_batch_nz(
@@ -170,46 +128,27 @@ int32_t straight_farrell_tightly_coupled_pseudorange_batch_nz(uintptr_t given, i
         epoch_of(&taken[9], &wanted[9], first));
 }
 
-int32_t straight_farrell_tightly_coupled_pseudorange_lever_arm(uintptr_t given)
-{
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {18}},
-        {NPY_DOUBLE, 8, false, 1, {9}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
-        {NPY_DOUBLE, 8, true, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, true, 2, {ITEMS, 17}},
-        {NPY_UINT8, 1, true, 1, {ITEMS}},
-    };
-    taken_t taken[8];
-    extent_t extent;
-
-    if (!take(given, wanted, 8, false, &extent, taken)) {
-        return UNFIT;
-    }
-    return (int32_t)farrell_tightly_coupled_pseudorange_lever_arm(
-        taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
-        taken[5].at, taken[6].at, taken[7].at);
-}
+static const wanted_t wanted_farrell_tightly_coupled_pseudorange_lever_arm_batch[] = {
+    {NPY_DOUBLE, 8, false, 1, {18}},
+    {NPY_DOUBLE, 8, false, 1, {9}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
+    {NPY_DOUBLE, 8, true, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, true, 2, {ITEMS, 17}},
+    {NPY_UINT8, 1, true, 0, {0}},
+    {NPY_UINT8, 1, true, 1, {ITEMS}},
+};
 
 int32_t straight_farrell_tightly_coupled_pseudorange_lever_arm_batch(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {18}},
-        {NPY_DOUBLE, 8, false, 1, {9}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
-        {NPY_DOUBLE, 8, true, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, true, 2, {ITEMS, 17}},
-        {NPY_UINT8, 1, true, 0, {0}},
-        {NPY_UINT8, 1, true, 1, {ITEMS}},
-    };
+    const wanted_t *const wanted = wanted_farrell_tightly_coupled_pseudorange_lever_arm_batch;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[9];
     extent_t extent;
 
-    if (!take(given, wanted, 9, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 9, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)farrell_tightly_coupled_pseudorange_lever_arm_batch(
@@ -222,23 +161,27 @@ int32_t straight_farrell_tightly_coupled_pseudorange_lever_arm_batch(uintptr_t g
         epoch_of(&taken[7], &wanted[7], first), epoch_of(&taken[8], &wanted[8], first));
 }
 
+static const wanted_t wanted_farrell_tightly_coupled_pseudorange_lever_arm_batch_nz[] = {
+    {NPY_DOUBLE, 8, false, 1, {18}},
+    {NPY_DOUBLE, 8, false, 1, {9}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
+    {NPY_DOUBLE, 8, true, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, true, 2, {7, ITEMS}},
+    {NPY_UINT8, 1, true, 0, {0}},
+    {NPY_UINT8, 1, true, 1, {ITEMS}},
+};
+
 int32_t straight_farrell_tightly_coupled_pseudorange_lever_arm_batch_nz(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {18}},
-        {NPY_DOUBLE, 8, false, 1, {9}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
-        {NPY_DOUBLE, 8, true, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, true, 2, {7, ITEMS}},
-        {NPY_UINT8, 1, true, 0, {0}},
-        {NPY_UINT8, 1, true, 1, {ITEMS}},
-    };
+    const wanted_t *const wanted = wanted_farrell_tightly_coupled_pseudorange_lever_arm_batch_nz;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[9];
     extent_t extent;
 
-    if (!take(given, wanted, 9, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 9, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)farrell_tightly_coupled_pseudorange_lever_arm_batch_nz(
@@ -249,4 +192,227 @@ int32_t straight_farrell_tightly_coupled_pseudorange_lever_arm_batch_nz(uintptr_
         epoch_of(&taken[4], &wanted[4], first), (int32_t)taken[4].step,
         epoch_of(&taken[5], &wanted[5], first), epoch_of(&taken[6], &wanted[6], first),
         epoch_of(&taken[7], &wanted[7], first), epoch_of(&taken[8], &wanted[8], first));
+}
+
+static const wanted_t wanted_farrell_tightly_coupled_retract[] = {
+    {NPY_DOUBLE, 8, false, 1, {18}},
+    {NPY_DOUBLE, 8, false, 1, {17}},
+    {NPY_DOUBLE, 8, true, 1, {18}},
+};
+
+static PyObject *call_farrell_tightly_coupled_retract(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_farrell_tightly_coupled_retract, 2, 1, 1};
+    PyObject *results[1];
+    taken_t taken[3];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)farrell_tightly_coupled_retract(
+        taken[0].at, taken[1].at, taken[2].at);
+    step_back(aside);
+    return finish(&call, kept, results, status);
+}
+
+static PyObject *bound_farrell_tightly_coupled_retract(PyObject *kept, PyObject *nothing)
+{
+    const wanted_t *const wanted = wanted_farrell_tightly_coupled_retract;
+    taken_t taken[3];
+    extent_t extent;
+    int32_t status = UNFIT;
+
+    (void)nothing;
+    if (take(kept, BOUND_MORE, wanted, 3, false, &extent, taken)) {
+        PyThreadState *const aside = step_aside(&extent);
+
+        status = (int32_t)farrell_tightly_coupled_retract(
+            taken[0].at, taken[1].at, taken[2].at);
+        step_back(aside);
+    }
+    return finish_bound(kept, 3, status);
+}
+
+static const wanted_t wanted_farrell_tightly_coupled_local[] = {
+    {NPY_DOUBLE, 8, false, 1, {18}},
+    {NPY_DOUBLE, 8, false, 1, {18}},
+    {NPY_DOUBLE, 8, true, 1, {17}},
+};
+
+static PyObject *call_farrell_tightly_coupled_local(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_farrell_tightly_coupled_local, 2, 1, 1};
+    PyObject *results[1];
+    taken_t taken[3];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)farrell_tightly_coupled_local(
+        taken[0].at, taken[1].at, taken[2].at);
+    step_back(aside);
+    return finish(&call, kept, results, status);
+}
+
+static PyObject *bound_farrell_tightly_coupled_local(PyObject *kept, PyObject *nothing)
+{
+    const wanted_t *const wanted = wanted_farrell_tightly_coupled_local;
+    taken_t taken[3];
+    extent_t extent;
+    int32_t status = UNFIT;
+
+    (void)nothing;
+    if (take(kept, BOUND_MORE, wanted, 3, false, &extent, taken)) {
+        PyThreadState *const aside = step_aside(&extent);
+
+        status = (int32_t)farrell_tightly_coupled_local(
+            taken[0].at, taken[1].at, taken[2].at);
+        step_back(aside);
+    }
+    return finish_bound(kept, 3, status);
+}
+
+static const wanted_t wanted_farrell_tightly_coupled_pseudorange[] = {
+    {NPY_DOUBLE, 8, false, 1, {18}},
+    {NPY_DOUBLE, 8, false, 1, {9}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, true, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, true, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, true, 2, {ITEMS, 17}},
+    {NPY_UINT8, 1, true, 1, {ITEMS}},
+};
+
+static PyObject *call_farrell_tightly_coupled_pseudorange(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_farrell_tightly_coupled_pseudorange, 5, 3, 4};
+    PyObject *results[4];
+    taken_t taken[9];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)farrell_tightly_coupled_pseudorange(
+        taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
+        taken[5].at, taken[6].at, taken[7].at, taken[8].at);
+    step_back(aside);
+    return finish(&call, kept, results, status);
+}
+
+static PyObject *bound_farrell_tightly_coupled_pseudorange(PyObject *kept, PyObject *nothing)
+{
+    const wanted_t *const wanted = wanted_farrell_tightly_coupled_pseudorange;
+    taken_t taken[9];
+    extent_t extent;
+    int32_t status = UNFIT;
+
+    (void)nothing;
+    if (take(kept, BOUND_MORE, wanted, 9, false, &extent, taken)) {
+        PyThreadState *const aside = step_aside(&extent);
+
+        status = (int32_t)farrell_tightly_coupled_pseudorange(
+            taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
+            taken[5].at, taken[6].at, taken[7].at, taken[8].at);
+        step_back(aside);
+    }
+    return finish_bound(kept, 9, status);
+}
+
+static const wanted_t wanted_farrell_tightly_coupled_pseudorange_lever_arm[] = {
+    {NPY_DOUBLE, 8, false, 1, {18}},
+    {NPY_DOUBLE, 8, false, 1, {9}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
+    {NPY_DOUBLE, 8, true, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, true, 2, {ITEMS, 17}},
+    {NPY_UINT8, 1, true, 1, {ITEMS}},
+};
+
+static PyObject *call_farrell_tightly_coupled_pseudorange_lever_arm(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_farrell_tightly_coupled_pseudorange_lever_arm, 5, 2, 3};
+    PyObject *results[3];
+    taken_t taken[8];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)farrell_tightly_coupled_pseudorange_lever_arm(
+        taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
+        taken[5].at, taken[6].at, taken[7].at);
+    step_back(aside);
+    return finish(&call, kept, results, status);
+}
+
+static PyObject *bound_farrell_tightly_coupled_pseudorange_lever_arm(PyObject *kept, PyObject *nothing)
+{
+    const wanted_t *const wanted = wanted_farrell_tightly_coupled_pseudorange_lever_arm;
+    taken_t taken[8];
+    extent_t extent;
+    int32_t status = UNFIT;
+
+    (void)nothing;
+    if (take(kept, BOUND_MORE, wanted, 8, false, &extent, taken)) {
+        PyThreadState *const aside = step_aside(&extent);
+
+        status = (int32_t)farrell_tightly_coupled_pseudorange_lever_arm(
+            taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
+            taken[5].at, taken[6].at, taken[7].at);
+        step_back(aside);
+    }
+    return finish_bound(kept, 8, status);
+}
+
+int32_t straight_farrell_tightly_coupled__open(uintptr_t list, const char *name)
+{
+    static PyMethodDef methods[] = {
+        {"retract", (PyCFunction)(void (*)(void))call_farrell_tightly_coupled_retract,
+         METH_FASTCALL, NULL},
+        {"retract.bind", bound_farrell_tightly_coupled_retract, METH_NOARGS, NULL},
+        {"local", (PyCFunction)(void (*)(void))call_farrell_tightly_coupled_local,
+         METH_FASTCALL, NULL},
+        {"local.bind", bound_farrell_tightly_coupled_local, METH_NOARGS, NULL},
+        {"pseudorange", (PyCFunction)(void (*)(void))call_farrell_tightly_coupled_pseudorange,
+         METH_FASTCALL, NULL},
+        {"pseudorange.bind", bound_farrell_tightly_coupled_pseudorange, METH_NOARGS, NULL},
+        {"pseudorange_lever_arm", (PyCFunction)(void (*)(void))call_farrell_tightly_coupled_pseudorange_lever_arm,
+         METH_FASTCALL, NULL},
+        {"pseudorange_lever_arm.bind", bound_farrell_tightly_coupled_pseudorange_lever_arm, METH_NOARGS, NULL},
+    };
+
+    return open_call(list, name, methods, 8);
 }

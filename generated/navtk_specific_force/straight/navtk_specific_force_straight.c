@@ -5,40 +5,27 @@
 
 #include "navtk_specific_force/navtk_specific_force.h"
 
-int32_t straight_navtk_specific_force_layout(void)
+int32_t straight_navtk_specific_force__layout(void)
 {
     return NPY_ABI_VERSION >> 24;
 }
 
-int32_t straight_navtk_specific_force_retract(uintptr_t given)
-{
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {16}},
-        {NPY_DOUBLE, 8, false, 1, {15}},
-        {NPY_DOUBLE, 8, true, 1, {16}},
-    };
-    taken_t taken[3];
-    extent_t extent;
-
-    if (!take(given, wanted, 3, false, &extent, taken)) {
-        return UNFIT;
-    }
-    return (int32_t)navtk_specific_force_retract(
-        taken[0].at, taken[1].at, taken[2].at);
-}
+static const wanted_t wanted_navtk_specific_force_retract_batch[] = {
+    {NPY_DOUBLE, 8, false, 1, {16}},
+    {NPY_DOUBLE, 8, false, 1, {15}},
+    {NPY_DOUBLE, 8, true, 1, {16}},
+    {NPY_UINT8, 1, true, 0, {0}},
+};
 
 int32_t straight_navtk_specific_force_retract_batch(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {16}},
-        {NPY_DOUBLE, 8, false, 1, {15}},
-        {NPY_DOUBLE, 8, true, 1, {16}},
-        {NPY_UINT8, 1, true, 0, {0}},
-    };
+    const wanted_t *const wanted = wanted_navtk_specific_force_retract_batch;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[4];
     extent_t extent;
 
-    if (!take(given, wanted, 4, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 4, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)navtk_specific_force_retract_batch(
@@ -47,35 +34,22 @@ int32_t straight_navtk_specific_force_retract_batch(uintptr_t given, int32_t fir
         epoch_of(&taken[2], &wanted[2], first), epoch_of(&taken[3], &wanted[3], first));
 }
 
-int32_t straight_navtk_specific_force_local(uintptr_t given)
-{
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {16}},
-        {NPY_DOUBLE, 8, false, 1, {16}},
-        {NPY_DOUBLE, 8, true, 1, {15}},
-    };
-    taken_t taken[3];
-    extent_t extent;
-
-    if (!take(given, wanted, 3, false, &extent, taken)) {
-        return UNFIT;
-    }
-    return (int32_t)navtk_specific_force_local(
-        taken[0].at, taken[1].at, taken[2].at);
-}
+static const wanted_t wanted_navtk_specific_force_local_batch[] = {
+    {NPY_DOUBLE, 8, false, 1, {16}},
+    {NPY_DOUBLE, 8, false, 1, {16}},
+    {NPY_DOUBLE, 8, true, 1, {15}},
+    {NPY_UINT8, 1, true, 0, {0}},
+};
 
 int32_t straight_navtk_specific_force_local_batch(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {16}},
-        {NPY_DOUBLE, 8, false, 1, {16}},
-        {NPY_DOUBLE, 8, true, 1, {15}},
-        {NPY_UINT8, 1, true, 0, {0}},
-    };
+    const wanted_t *const wanted = wanted_navtk_specific_force_local_batch;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[4];
     extent_t extent;
 
-    if (!take(given, wanted, 4, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 4, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)navtk_specific_force_local_batch(
@@ -84,48 +58,28 @@ int32_t straight_navtk_specific_force_local_batch(uintptr_t given, int32_t first
         epoch_of(&taken[2], &wanted[2], first), epoch_of(&taken[3], &wanted[3], first));
 }
 
-int32_t straight_navtk_specific_force_calc_force(uintptr_t given)
-{
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {9}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_DOUBLE, 8, true, 2, {3, 3}},
-        {NPY_DOUBLE, 8, true, 2, {3, 3}},
-        {NPY_DOUBLE, 8, true, 2, {3, 3}},
-        {NPY_DOUBLE, 8, true, 2, {3, 1}},
-    };
-    taken_t taken[9];
-    extent_t extent;
-
-    if (!take(given, wanted, 9, false, &extent, taken)) {
-        return UNFIT;
-    }
-    return (int32_t)navtk_specific_force_calc_force(
-        taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at, taken[6].at,
-        taken[7].at, taken[8].at);
-}
+static const wanted_t wanted_navtk_specific_force_calc_force_batch[] = {
+    {NPY_DOUBLE, 8, false, 1, {9}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 2, {3, 3}},
+    {NPY_DOUBLE, 8, true, 2, {3, 3}},
+    {NPY_DOUBLE, 8, true, 2, {3, 3}},
+    {NPY_DOUBLE, 8, true, 2, {3, 1}},
+    {NPY_UINT8, 1, true, 0, {0}},
+};
 
 int32_t straight_navtk_specific_force_calc_force_batch(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {9}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_DOUBLE, 8, true, 2, {3, 3}},
-        {NPY_DOUBLE, 8, true, 2, {3, 3}},
-        {NPY_DOUBLE, 8, true, 2, {3, 3}},
-        {NPY_DOUBLE, 8, true, 2, {3, 1}},
-        {NPY_UINT8, 1, true, 0, {0}},
-    };
+    const wanted_t *const wanted = wanted_navtk_specific_force_calc_force_batch;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[10];
     extent_t extent;
 
-    if (!take(given, wanted, 10, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 10, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)navtk_specific_force_calc_force_batch(
@@ -138,24 +92,28 @@ int32_t straight_navtk_specific_force_calc_force_batch(uintptr_t given, int32_t 
         epoch_of(&taken[8], &wanted[8], first), epoch_of(&taken[9], &wanted[9], first));
 }
 
+static const wanted_t wanted_navtk_specific_force_calc_force_batch_nz[] = {
+    {NPY_DOUBLE, 8, false, 1, {9}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {6}},
+    {NPY_DOUBLE, 8, true, 1, {9}},
+    {NPY_DOUBLE, 8, true, 1, {9}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_UINT8, 1, true, 0, {0}},
+};
+
 int32_t straight_navtk_specific_force_calc_force_batch_nz(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {9}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_DOUBLE, 8, true, 1, {6}},
-        {NPY_DOUBLE, 8, true, 1, {9}},
-        {NPY_DOUBLE, 8, true, 1, {9}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_UINT8, 1, true, 0, {0}},
-    };
+    const wanted_t *const wanted = wanted_navtk_specific_force_calc_force_batch_nz;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[10];
     extent_t extent;
 
-    if (!take(given, wanted, 10, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 10, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)navtk_specific_force_calc_force_batch_nz(
@@ -168,48 +126,28 @@ int32_t straight_navtk_specific_force_calc_force_batch_nz(uintptr_t given, int32
         epoch_of(&taken[8], &wanted[8], first), epoch_of(&taken[9], &wanted[9], first));
 }
 
-int32_t straight_navtk_specific_force_force(uintptr_t given)
-{
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {16}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_DOUBLE, 8, true, 2, {3, 15}},
-        {NPY_DOUBLE, 8, true, 2, {3, 3}},
-        {NPY_DOUBLE, 8, true, 2, {3, 3}},
-        {NPY_DOUBLE, 8, true, 2, {3, 1}},
-    };
-    taken_t taken[9];
-    extent_t extent;
-
-    if (!take(given, wanted, 9, false, &extent, taken)) {
-        return UNFIT;
-    }
-    return (int32_t)navtk_specific_force_force(
-        taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at, taken[6].at,
-        taken[7].at, taken[8].at);
-}
+static const wanted_t wanted_navtk_specific_force_force_batch[] = {
+    {NPY_DOUBLE, 8, false, 1, {16}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 2, {3, 15}},
+    {NPY_DOUBLE, 8, true, 2, {3, 3}},
+    {NPY_DOUBLE, 8, true, 2, {3, 3}},
+    {NPY_DOUBLE, 8, true, 2, {3, 1}},
+    {NPY_UINT8, 1, true, 0, {0}},
+};
 
 int32_t straight_navtk_specific_force_force_batch(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {16}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_DOUBLE, 8, true, 2, {3, 15}},
-        {NPY_DOUBLE, 8, true, 2, {3, 3}},
-        {NPY_DOUBLE, 8, true, 2, {3, 3}},
-        {NPY_DOUBLE, 8, true, 2, {3, 1}},
-        {NPY_UINT8, 1, true, 0, {0}},
-    };
+    const wanted_t *const wanted = wanted_navtk_specific_force_force_batch;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[10];
     extent_t extent;
 
-    if (!take(given, wanted, 10, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 10, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)navtk_specific_force_force_batch(
@@ -222,24 +160,28 @@ int32_t straight_navtk_specific_force_force_batch(uintptr_t given, int32_t first
         epoch_of(&taken[8], &wanted[8], first), epoch_of(&taken[9], &wanted[9], first));
 }
 
+static const wanted_t wanted_navtk_specific_force_force_batch_nz[] = {
+    {NPY_DOUBLE, 8, false, 1, {16}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {24}},
+    {NPY_DOUBLE, 8, true, 1, {9}},
+    {NPY_DOUBLE, 8, true, 1, {9}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_UINT8, 1, true, 0, {0}},
+};
+
 int32_t straight_navtk_specific_force_force_batch_nz(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {16}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_DOUBLE, 8, true, 1, {24}},
-        {NPY_DOUBLE, 8, true, 1, {9}},
-        {NPY_DOUBLE, 8, true, 1, {9}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_UINT8, 1, true, 0, {0}},
-    };
+    const wanted_t *const wanted = wanted_navtk_specific_force_force_batch_nz;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[10];
     extent_t extent;
 
-    if (!take(given, wanted, 10, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 10, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)navtk_specific_force_force_batch_nz(
@@ -250,4 +192,228 @@ int32_t straight_navtk_specific_force_force_batch_nz(uintptr_t given, int32_t fi
         epoch_of(&taken[4], &wanted[4], first), epoch_of(&taken[5], &wanted[5], first),
         epoch_of(&taken[6], &wanted[6], first), epoch_of(&taken[7], &wanted[7], first),
         epoch_of(&taken[8], &wanted[8], first), epoch_of(&taken[9], &wanted[9], first));
+}
+
+static const wanted_t wanted_navtk_specific_force_retract[] = {
+    {NPY_DOUBLE, 8, false, 1, {16}},
+    {NPY_DOUBLE, 8, false, 1, {15}},
+    {NPY_DOUBLE, 8, true, 1, {16}},
+};
+
+static PyObject *call_navtk_specific_force_retract(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_navtk_specific_force_retract, 2, 1, 1};
+    PyObject *results[1];
+    taken_t taken[3];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)navtk_specific_force_retract(
+        taken[0].at, taken[1].at, taken[2].at);
+    step_back(aside);
+    return finish(&call, kept, results, status);
+}
+
+static PyObject *bound_navtk_specific_force_retract(PyObject *kept, PyObject *nothing)
+{
+    const wanted_t *const wanted = wanted_navtk_specific_force_retract;
+    taken_t taken[3];
+    extent_t extent;
+    int32_t status = UNFIT;
+
+    (void)nothing;
+    if (take(kept, BOUND_MORE, wanted, 3, false, &extent, taken)) {
+        PyThreadState *const aside = step_aside(&extent);
+
+        status = (int32_t)navtk_specific_force_retract(
+            taken[0].at, taken[1].at, taken[2].at);
+        step_back(aside);
+    }
+    return finish_bound(kept, 3, status);
+}
+
+static const wanted_t wanted_navtk_specific_force_local[] = {
+    {NPY_DOUBLE, 8, false, 1, {16}},
+    {NPY_DOUBLE, 8, false, 1, {16}},
+    {NPY_DOUBLE, 8, true, 1, {15}},
+};
+
+static PyObject *call_navtk_specific_force_local(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_navtk_specific_force_local, 2, 1, 1};
+    PyObject *results[1];
+    taken_t taken[3];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)navtk_specific_force_local(
+        taken[0].at, taken[1].at, taken[2].at);
+    step_back(aside);
+    return finish(&call, kept, results, status);
+}
+
+static PyObject *bound_navtk_specific_force_local(PyObject *kept, PyObject *nothing)
+{
+    const wanted_t *const wanted = wanted_navtk_specific_force_local;
+    taken_t taken[3];
+    extent_t extent;
+    int32_t status = UNFIT;
+
+    (void)nothing;
+    if (take(kept, BOUND_MORE, wanted, 3, false, &extent, taken)) {
+        PyThreadState *const aside = step_aside(&extent);
+
+        status = (int32_t)navtk_specific_force_local(
+            taken[0].at, taken[1].at, taken[2].at);
+        step_back(aside);
+    }
+    return finish_bound(kept, 3, status);
+}
+
+static const wanted_t wanted_navtk_specific_force_calc_force[] = {
+    {NPY_DOUBLE, 8, false, 1, {9}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 2, {3, 3}},
+    {NPY_DOUBLE, 8, true, 2, {3, 3}},
+    {NPY_DOUBLE, 8, true, 2, {3, 3}},
+    {NPY_DOUBLE, 8, true, 2, {3, 1}},
+};
+
+static PyObject *call_navtk_specific_force_calc_force(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_navtk_specific_force_calc_force, 4, 5, 5};
+    PyObject *results[5];
+    taken_t taken[9];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)navtk_specific_force_calc_force(
+        taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
+        taken[6].at, taken[7].at, taken[8].at);
+    step_back(aside);
+    return finish(&call, kept, results, status);
+}
+
+static PyObject *bound_navtk_specific_force_calc_force(PyObject *kept, PyObject *nothing)
+{
+    const wanted_t *const wanted = wanted_navtk_specific_force_calc_force;
+    taken_t taken[9];
+    extent_t extent;
+    int32_t status = UNFIT;
+
+    (void)nothing;
+    if (take(kept, BOUND_MORE, wanted, 9, false, &extent, taken)) {
+        PyThreadState *const aside = step_aside(&extent);
+
+        status = (int32_t)navtk_specific_force_calc_force(
+            taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
+            taken[6].at, taken[7].at, taken[8].at);
+        step_back(aside);
+    }
+    return finish_bound(kept, 9, status);
+}
+
+static const wanted_t wanted_navtk_specific_force_force[] = {
+    {NPY_DOUBLE, 8, false, 1, {16}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 2, {3, 15}},
+    {NPY_DOUBLE, 8, true, 2, {3, 3}},
+    {NPY_DOUBLE, 8, true, 2, {3, 3}},
+    {NPY_DOUBLE, 8, true, 2, {3, 1}},
+};
+
+static PyObject *call_navtk_specific_force_force(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_navtk_specific_force_force, 4, 5, 5};
+    PyObject *results[5];
+    taken_t taken[9];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)navtk_specific_force_force(
+        taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
+        taken[6].at, taken[7].at, taken[8].at);
+    step_back(aside);
+    return finish(&call, kept, results, status);
+}
+
+static PyObject *bound_navtk_specific_force_force(PyObject *kept, PyObject *nothing)
+{
+    const wanted_t *const wanted = wanted_navtk_specific_force_force;
+    taken_t taken[9];
+    extent_t extent;
+    int32_t status = UNFIT;
+
+    (void)nothing;
+    if (take(kept, BOUND_MORE, wanted, 9, false, &extent, taken)) {
+        PyThreadState *const aside = step_aside(&extent);
+
+        status = (int32_t)navtk_specific_force_force(
+            taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
+            taken[6].at, taken[7].at, taken[8].at);
+        step_back(aside);
+    }
+    return finish_bound(kept, 9, status);
+}
+
+int32_t straight_navtk_specific_force__open(uintptr_t list, const char *name)
+{
+    static PyMethodDef methods[] = {
+        {"retract", (PyCFunction)(void (*)(void))call_navtk_specific_force_retract,
+         METH_FASTCALL, NULL},
+        {"retract.bind", bound_navtk_specific_force_retract, METH_NOARGS, NULL},
+        {"local", (PyCFunction)(void (*)(void))call_navtk_specific_force_local,
+         METH_FASTCALL, NULL},
+        {"local.bind", bound_navtk_specific_force_local, METH_NOARGS, NULL},
+        {"calc_force", (PyCFunction)(void (*)(void))call_navtk_specific_force_calc_force,
+         METH_FASTCALL, NULL},
+        {"calc_force.bind", bound_navtk_specific_force_calc_force, METH_NOARGS, NULL},
+        {"force", (PyCFunction)(void (*)(void))call_navtk_specific_force_force,
+         METH_FASTCALL, NULL},
+        {"force.bind", bound_navtk_specific_force_force, METH_NOARGS, NULL},
+    };
+
+    return open_call(list, name, methods, 8);
 }

@@ -5,40 +5,27 @@
 
 #include "single_point/single_point.h"
 
-int32_t straight_single_point_layout(void)
+int32_t straight_single_point__layout(void)
 {
     return NPY_ABI_VERSION >> 24;
 }
 
-int32_t straight_single_point_retract(uintptr_t given)
-{
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {4}},
-        {NPY_DOUBLE, 8, false, 1, {4}},
-        {NPY_DOUBLE, 8, true, 1, {4}},
-    };
-    taken_t taken[3];
-    extent_t extent;
-
-    if (!take(given, wanted, 3, false, &extent, taken)) {
-        return UNFIT;
-    }
-    return (int32_t)single_point_retract(
-        taken[0].at, taken[1].at, taken[2].at);
-}
+static const wanted_t wanted_single_point_retract_batch[] = {
+    {NPY_DOUBLE, 8, false, 1, {4}},
+    {NPY_DOUBLE, 8, false, 1, {4}},
+    {NPY_DOUBLE, 8, true, 1, {4}},
+    {NPY_UINT8, 1, true, 0, {0}},
+};
 
 int32_t straight_single_point_retract_batch(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {4}},
-        {NPY_DOUBLE, 8, false, 1, {4}},
-        {NPY_DOUBLE, 8, true, 1, {4}},
-        {NPY_UINT8, 1, true, 0, {0}},
-    };
+    const wanted_t *const wanted = wanted_single_point_retract_batch;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[4];
     extent_t extent;
 
-    if (!take(given, wanted, 4, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 4, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)single_point_retract_batch(
@@ -47,35 +34,22 @@ int32_t straight_single_point_retract_batch(uintptr_t given, int32_t first, int3
         epoch_of(&taken[2], &wanted[2], first), epoch_of(&taken[3], &wanted[3], first));
 }
 
-int32_t straight_single_point_local(uintptr_t given)
-{
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {4}},
-        {NPY_DOUBLE, 8, false, 1, {4}},
-        {NPY_DOUBLE, 8, true, 1, {4}},
-    };
-    taken_t taken[3];
-    extent_t extent;
-
-    if (!take(given, wanted, 3, false, &extent, taken)) {
-        return UNFIT;
-    }
-    return (int32_t)single_point_local(
-        taken[0].at, taken[1].at, taken[2].at);
-}
+static const wanted_t wanted_single_point_local_batch[] = {
+    {NPY_DOUBLE, 8, false, 1, {4}},
+    {NPY_DOUBLE, 8, false, 1, {4}},
+    {NPY_DOUBLE, 8, true, 1, {4}},
+    {NPY_UINT8, 1, true, 0, {0}},
+};
 
 int32_t straight_single_point_local_batch(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {4}},
-        {NPY_DOUBLE, 8, false, 1, {4}},
-        {NPY_DOUBLE, 8, true, 1, {4}},
-        {NPY_UINT8, 1, true, 0, {0}},
-    };
+    const wanted_t *const wanted = wanted_single_point_local_batch;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[4];
     extent_t extent;
 
-    if (!take(given, wanted, 4, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 4, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)single_point_local_batch(
@@ -84,46 +58,27 @@ int32_t straight_single_point_local_batch(uintptr_t given, int32_t first, int32_
         epoch_of(&taken[2], &wanted[2], first), epoch_of(&taken[3], &wanted[3], first));
 }
 
-int32_t straight_single_point_pseudorange(uintptr_t given)
-{
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {4}},
-        {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
-        {NPY_DOUBLE, 8, false, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, false, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, false, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, true, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, true, 2, {ITEMS, 4}},
-        {NPY_UINT8, 1, true, 1, {ITEMS}},
-    };
-    taken_t taken[8];
-    extent_t extent;
-
-    if (!take(given, wanted, 8, false, &extent, taken)) {
-        return UNFIT;
-    }
-    return (int32_t)single_point_pseudorange(
-        taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
-        taken[5].at, taken[6].at, taken[7].at);
-}
+static const wanted_t wanted_single_point_pseudorange_batch[] = {
+    {NPY_DOUBLE, 8, false, 1, {4}},
+    {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, true, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, true, 2, {ITEMS, 4}},
+    {NPY_UINT8, 1, true, 0, {0}},
+    {NPY_UINT8, 1, true, 1, {ITEMS}},
+};
 
 int32_t straight_single_point_pseudorange_batch(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {4}},
-        {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
-        {NPY_DOUBLE, 8, false, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, false, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, false, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, true, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, true, 2, {ITEMS, 4}},
-        {NPY_UINT8, 1, true, 0, {0}},
-        {NPY_UINT8, 1, true, 1, {ITEMS}},
-    };
+    const wanted_t *const wanted = wanted_single_point_pseudorange_batch;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[9];
     extent_t extent;
 
-    if (!take(given, wanted, 9, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 9, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)single_point_pseudorange_batch(
@@ -136,23 +91,27 @@ int32_t straight_single_point_pseudorange_batch(uintptr_t given, int32_t first, 
         epoch_of(&taken[7], &wanted[7], first), epoch_of(&taken[8], &wanted[8], first));
 }
 
+static const wanted_t wanted_single_point_pseudorange_batch_nz[] = {
+    {NPY_DOUBLE, 8, false, 1, {4}},
+    {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, true, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, true, 2, {4, ITEMS}},
+    {NPY_UINT8, 1, true, 0, {0}},
+    {NPY_UINT8, 1, true, 1, {ITEMS}},
+};
+
 int32_t straight_single_point_pseudorange_batch_nz(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {4}},
-        {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
-        {NPY_DOUBLE, 8, false, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, false, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, false, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, true, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, true, 2, {4, ITEMS}},
-        {NPY_UINT8, 1, true, 0, {0}},
-        {NPY_UINT8, 1, true, 1, {ITEMS}},
-    };
+    const wanted_t *const wanted = wanted_single_point_pseudorange_batch_nz;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[9];
     extent_t extent;
 
-    if (!take(given, wanted, 9, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 9, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)single_point_pseudorange_batch_nz(
@@ -165,46 +124,27 @@ int32_t straight_single_point_pseudorange_batch_nz(uintptr_t given, int32_t firs
         epoch_of(&taken[7], &wanted[7], first), epoch_of(&taken[8], &wanted[8], first));
 }
 
-int32_t straight_single_point_pseudorange_without_sagnac(uintptr_t given)
-{
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {4}},
-        {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
-        {NPY_DOUBLE, 8, false, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, false, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, false, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, true, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, true, 2, {ITEMS, 4}},
-        {NPY_UINT8, 1, true, 1, {ITEMS}},
-    };
-    taken_t taken[8];
-    extent_t extent;
-
-    if (!take(given, wanted, 8, false, &extent, taken)) {
-        return UNFIT;
-    }
-    return (int32_t)single_point_pseudorange_without_sagnac(
-        taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
-        taken[5].at, taken[6].at, taken[7].at);
-}
+static const wanted_t wanted_single_point_pseudorange_without_sagnac_batch[] = {
+    {NPY_DOUBLE, 8, false, 1, {4}},
+    {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, true, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, true, 2, {ITEMS, 4}},
+    {NPY_UINT8, 1, true, 0, {0}},
+    {NPY_UINT8, 1, true, 1, {ITEMS}},
+};
 
 int32_t straight_single_point_pseudorange_without_sagnac_batch(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {4}},
-        {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
-        {NPY_DOUBLE, 8, false, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, false, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, false, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, true, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, true, 2, {ITEMS, 4}},
-        {NPY_UINT8, 1, true, 0, {0}},
-        {NPY_UINT8, 1, true, 1, {ITEMS}},
-    };
+    const wanted_t *const wanted = wanted_single_point_pseudorange_without_sagnac_batch;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[9];
     extent_t extent;
 
-    if (!take(given, wanted, 9, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 9, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)single_point_pseudorange_without_sagnac_batch(
@@ -217,23 +157,27 @@ int32_t straight_single_point_pseudorange_without_sagnac_batch(uintptr_t given, 
         epoch_of(&taken[7], &wanted[7], first), epoch_of(&taken[8], &wanted[8], first));
 }
 
+static const wanted_t wanted_single_point_pseudorange_without_sagnac_batch_nz[] = {
+    {NPY_DOUBLE, 8, false, 1, {4}},
+    {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, true, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, true, 2, {4, ITEMS}},
+    {NPY_UINT8, 1, true, 0, {0}},
+    {NPY_UINT8, 1, true, 1, {ITEMS}},
+};
+
 int32_t straight_single_point_pseudorange_without_sagnac_batch_nz(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {4}},
-        {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
-        {NPY_DOUBLE, 8, false, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, false, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, false, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, true, 1, {ITEMS}},
-        {NPY_DOUBLE, 8, true, 2, {4, ITEMS}},
-        {NPY_UINT8, 1, true, 0, {0}},
-        {NPY_UINT8, 1, true, 1, {ITEMS}},
-    };
+    const wanted_t *const wanted = wanted_single_point_pseudorange_without_sagnac_batch_nz;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[9];
     extent_t extent;
 
-    if (!take(given, wanted, 9, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 9, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)single_point_pseudorange_without_sagnac_batch_nz(
@@ -246,85 +190,45 @@ int32_t straight_single_point_pseudorange_without_sagnac_batch_nz(uintptr_t give
         epoch_of(&taken[7], &wanted[7], first), epoch_of(&taken[8], &wanted[8], first));
 }
 
-int32_t straight_single_point_broadcast_orbit(uintptr_t given)
-{
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_DOUBLE, 8, true, 0, {0}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_DOUBLE, 8, true, 0, {0}},
-    };
-    taken_t taken[26];
-    extent_t extent;
-
-    if (!take(given, wanted, 26, false, &extent, taken)) {
-        return UNFIT;
-    }
-    return (int32_t)single_point_broadcast_orbit(
-        taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at, taken[6].at,
-        taken[7].at, taken[8].at, taken[9].at, taken[10].at, taken[11].at, taken[12].at,
-        taken[13].at, taken[14].at, taken[15].at, taken[16].at, taken[17].at, taken[18].at,
-        taken[19].at, taken[20].at, taken[21].at, taken[22].at, taken[23].at, taken[24].at,
-        taken[25].at);
-}
+static const wanted_t wanted_single_point_broadcast_orbit_batch[] = {
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 0, {0}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 0, {0}},
+    {NPY_UINT8, 1, true, 0, {0}},
+};
 
 int32_t straight_single_point_broadcast_orbit_batch(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, false, 0, {0}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_DOUBLE, 8, true, 0, {0}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_DOUBLE, 8, true, 0, {0}},
-        {NPY_UINT8, 1, true, 0, {0}},
-    };
+    const wanted_t *const wanted = wanted_single_point_broadcast_orbit_batch;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[27];
     extent_t extent;
 
-    if (!take(given, wanted, 27, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 27, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)single_point_broadcast_orbit_batch(
@@ -353,4 +257,307 @@ int32_t straight_single_point_broadcast_orbit_batch(uintptr_t given, int32_t fir
         epoch_of(&taken[22], &wanted[22], first), epoch_of(&taken[23], &wanted[23], first),
         epoch_of(&taken[24], &wanted[24], first), epoch_of(&taken[25], &wanted[25], first),
         epoch_of(&taken[26], &wanted[26], first));
+}
+
+static const wanted_t wanted_single_point_retract[] = {
+    {NPY_DOUBLE, 8, false, 1, {4}},
+    {NPY_DOUBLE, 8, false, 1, {4}},
+    {NPY_DOUBLE, 8, true, 1, {4}},
+};
+
+static PyObject *call_single_point_retract(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_single_point_retract, 2, 1, 1};
+    PyObject *results[1];
+    taken_t taken[3];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)single_point_retract(
+        taken[0].at, taken[1].at, taken[2].at);
+    step_back(aside);
+    return finish(&call, kept, results, status);
+}
+
+static PyObject *bound_single_point_retract(PyObject *kept, PyObject *nothing)
+{
+    const wanted_t *const wanted = wanted_single_point_retract;
+    taken_t taken[3];
+    extent_t extent;
+    int32_t status = UNFIT;
+
+    (void)nothing;
+    if (take(kept, BOUND_MORE, wanted, 3, false, &extent, taken)) {
+        PyThreadState *const aside = step_aside(&extent);
+
+        status = (int32_t)single_point_retract(
+            taken[0].at, taken[1].at, taken[2].at);
+        step_back(aside);
+    }
+    return finish_bound(kept, 3, status);
+}
+
+static const wanted_t wanted_single_point_local[] = {
+    {NPY_DOUBLE, 8, false, 1, {4}},
+    {NPY_DOUBLE, 8, false, 1, {4}},
+    {NPY_DOUBLE, 8, true, 1, {4}},
+};
+
+static PyObject *call_single_point_local(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_single_point_local, 2, 1, 1};
+    PyObject *results[1];
+    taken_t taken[3];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)single_point_local(
+        taken[0].at, taken[1].at, taken[2].at);
+    step_back(aside);
+    return finish(&call, kept, results, status);
+}
+
+static PyObject *bound_single_point_local(PyObject *kept, PyObject *nothing)
+{
+    const wanted_t *const wanted = wanted_single_point_local;
+    taken_t taken[3];
+    extent_t extent;
+    int32_t status = UNFIT;
+
+    (void)nothing;
+    if (take(kept, BOUND_MORE, wanted, 3, false, &extent, taken)) {
+        PyThreadState *const aside = step_aside(&extent);
+
+        status = (int32_t)single_point_local(
+            taken[0].at, taken[1].at, taken[2].at);
+        step_back(aside);
+    }
+    return finish_bound(kept, 3, status);
+}
+
+static const wanted_t wanted_single_point_pseudorange[] = {
+    {NPY_DOUBLE, 8, false, 1, {4}},
+    {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, true, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, true, 2, {ITEMS, 4}},
+    {NPY_UINT8, 1, true, 1, {ITEMS}},
+};
+
+static PyObject *call_single_point_pseudorange(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_single_point_pseudorange, 5, 2, 3};
+    PyObject *results[3];
+    taken_t taken[8];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)single_point_pseudorange(
+        taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
+        taken[5].at, taken[6].at, taken[7].at);
+    step_back(aside);
+    return finish(&call, kept, results, status);
+}
+
+static PyObject *bound_single_point_pseudorange(PyObject *kept, PyObject *nothing)
+{
+    const wanted_t *const wanted = wanted_single_point_pseudorange;
+    taken_t taken[8];
+    extent_t extent;
+    int32_t status = UNFIT;
+
+    (void)nothing;
+    if (take(kept, BOUND_MORE, wanted, 8, false, &extent, taken)) {
+        PyThreadState *const aside = step_aside(&extent);
+
+        status = (int32_t)single_point_pseudorange(
+            taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
+            taken[5].at, taken[6].at, taken[7].at);
+        step_back(aside);
+    }
+    return finish_bound(kept, 8, status);
+}
+
+static const wanted_t wanted_single_point_pseudorange_without_sagnac[] = {
+    {NPY_DOUBLE, 8, false, 1, {4}},
+    {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, true, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, true, 2, {ITEMS, 4}},
+    {NPY_UINT8, 1, true, 1, {ITEMS}},
+};
+
+static PyObject *call_single_point_pseudorange_without_sagnac(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_single_point_pseudorange_without_sagnac, 5, 2, 3};
+    PyObject *results[3];
+    taken_t taken[8];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)single_point_pseudorange_without_sagnac(
+        taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
+        taken[5].at, taken[6].at, taken[7].at);
+    step_back(aside);
+    return finish(&call, kept, results, status);
+}
+
+static PyObject *bound_single_point_pseudorange_without_sagnac(PyObject *kept, PyObject *nothing)
+{
+    const wanted_t *const wanted = wanted_single_point_pseudorange_without_sagnac;
+    taken_t taken[8];
+    extent_t extent;
+    int32_t status = UNFIT;
+
+    (void)nothing;
+    if (take(kept, BOUND_MORE, wanted, 8, false, &extent, taken)) {
+        PyThreadState *const aside = step_aside(&extent);
+
+        status = (int32_t)single_point_pseudorange_without_sagnac(
+            taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
+            taken[5].at, taken[6].at, taken[7].at);
+        step_back(aside);
+    }
+    return finish_bound(kept, 8, status);
+}
+
+static const wanted_t wanted_single_point_broadcast_orbit[] = {
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 0, {0}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 0, {0}},
+};
+
+static PyObject *call_single_point_broadcast_orbit(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_single_point_broadcast_orbit, 22, 4, 4};
+    PyObject *results[4];
+    taken_t taken[26];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)single_point_broadcast_orbit(
+        taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
+        taken[6].at, taken[7].at, taken[8].at, taken[9].at, taken[10].at, taken[11].at,
+        taken[12].at, taken[13].at, taken[14].at, taken[15].at, taken[16].at, taken[17].at,
+        taken[18].at, taken[19].at, taken[20].at, taken[21].at, taken[22].at, taken[23].at,
+        taken[24].at, taken[25].at);
+    step_back(aside);
+    return finish(&call, kept, results, status);
+}
+
+static PyObject *bound_single_point_broadcast_orbit(PyObject *kept, PyObject *nothing)
+{
+    const wanted_t *const wanted = wanted_single_point_broadcast_orbit;
+    taken_t taken[26];
+    extent_t extent;
+    int32_t status = UNFIT;
+
+    (void)nothing;
+    if (take(kept, BOUND_MORE, wanted, 26, false, &extent, taken)) {
+        PyThreadState *const aside = step_aside(&extent);
+
+        status = (int32_t)single_point_broadcast_orbit(
+            taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
+            taken[6].at, taken[7].at, taken[8].at, taken[9].at, taken[10].at, taken[11].at,
+            taken[12].at, taken[13].at, taken[14].at, taken[15].at, taken[16].at, taken[17].at,
+            taken[18].at, taken[19].at, taken[20].at, taken[21].at, taken[22].at, taken[23].at,
+            taken[24].at, taken[25].at);
+        step_back(aside);
+    }
+    return finish_bound(kept, 26, status);
+}
+
+int32_t straight_single_point__open(uintptr_t list, const char *name)
+{
+    static PyMethodDef methods[] = {
+        {"retract", (PyCFunction)(void (*)(void))call_single_point_retract,
+         METH_FASTCALL, NULL},
+        {"retract.bind", bound_single_point_retract, METH_NOARGS, NULL},
+        {"local", (PyCFunction)(void (*)(void))call_single_point_local,
+         METH_FASTCALL, NULL},
+        {"local.bind", bound_single_point_local, METH_NOARGS, NULL},
+        {"pseudorange", (PyCFunction)(void (*)(void))call_single_point_pseudorange,
+         METH_FASTCALL, NULL},
+        {"pseudorange.bind", bound_single_point_pseudorange, METH_NOARGS, NULL},
+        {"pseudorange_without_sagnac", (PyCFunction)(void (*)(void))call_single_point_pseudorange_without_sagnac,
+         METH_FASTCALL, NULL},
+        {"pseudorange_without_sagnac.bind", bound_single_point_pseudorange_without_sagnac, METH_NOARGS, NULL},
+        {"broadcast_orbit", (PyCFunction)(void (*)(void))call_single_point_broadcast_orbit,
+         METH_FASTCALL, NULL},
+        {"broadcast_orbit.bind", bound_single_point_broadcast_orbit, METH_NOARGS, NULL},
+    };
+
+    return open_call(list, name, methods, 10);
 }

@@ -5,40 +5,27 @@
 
 #include "warpos_gps/warpos_gps.h"
 
-int32_t straight_warpos_gps_layout(void)
+int32_t straight_warpos_gps__layout(void)
 {
     return NPY_ABI_VERSION >> 24;
 }
 
-int32_t straight_warpos_gps_retract(uintptr_t given)
-{
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {15}},
-        {NPY_DOUBLE, 8, false, 1, {15}},
-        {NPY_DOUBLE, 8, true, 1, {15}},
-    };
-    taken_t taken[3];
-    extent_t extent;
-
-    if (!take(given, wanted, 3, false, &extent, taken)) {
-        return UNFIT;
-    }
-    return (int32_t)warpos_gps_retract(
-        taken[0].at, taken[1].at, taken[2].at);
-}
+static const wanted_t wanted_warpos_gps_retract_batch[] = {
+    {NPY_DOUBLE, 8, false, 1, {15}},
+    {NPY_DOUBLE, 8, false, 1, {15}},
+    {NPY_DOUBLE, 8, true, 1, {15}},
+    {NPY_UINT8, 1, true, 0, {0}},
+};
 
 int32_t straight_warpos_gps_retract_batch(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {15}},
-        {NPY_DOUBLE, 8, false, 1, {15}},
-        {NPY_DOUBLE, 8, true, 1, {15}},
-        {NPY_UINT8, 1, true, 0, {0}},
-    };
+    const wanted_t *const wanted = wanted_warpos_gps_retract_batch;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[4];
     extent_t extent;
 
-    if (!take(given, wanted, 4, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 4, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)warpos_gps_retract_batch(
@@ -47,35 +34,22 @@ int32_t straight_warpos_gps_retract_batch(uintptr_t given, int32_t first, int32_
         epoch_of(&taken[2], &wanted[2], first), epoch_of(&taken[3], &wanted[3], first));
 }
 
-int32_t straight_warpos_gps_local(uintptr_t given)
-{
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {15}},
-        {NPY_DOUBLE, 8, false, 1, {15}},
-        {NPY_DOUBLE, 8, true, 1, {15}},
-    };
-    taken_t taken[3];
-    extent_t extent;
-
-    if (!take(given, wanted, 3, false, &extent, taken)) {
-        return UNFIT;
-    }
-    return (int32_t)warpos_gps_local(
-        taken[0].at, taken[1].at, taken[2].at);
-}
+static const wanted_t wanted_warpos_gps_local_batch[] = {
+    {NPY_DOUBLE, 8, false, 1, {15}},
+    {NPY_DOUBLE, 8, false, 1, {15}},
+    {NPY_DOUBLE, 8, true, 1, {15}},
+    {NPY_UINT8, 1, true, 0, {0}},
+};
 
 int32_t straight_warpos_gps_local_batch(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {15}},
-        {NPY_DOUBLE, 8, false, 1, {15}},
-        {NPY_DOUBLE, 8, true, 1, {15}},
-        {NPY_UINT8, 1, true, 0, {0}},
-    };
+    const wanted_t *const wanted = wanted_warpos_gps_local_batch;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[4];
     extent_t extent;
 
-    if (!take(given, wanted, 4, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 4, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)warpos_gps_local_batch(
@@ -84,35 +58,22 @@ int32_t straight_warpos_gps_local_batch(uintptr_t given, int32_t first, int32_t 
         epoch_of(&taken[2], &wanted[2], first), epoch_of(&taken[3], &wanted[3], first));
 }
 
-int32_t straight_warpos_gps_measurement(uintptr_t given)
-{
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {15}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_DOUBLE, 8, true, 2, {3, 15}},
-    };
-    taken_t taken[3];
-    extent_t extent;
-
-    if (!take(given, wanted, 3, false, &extent, taken)) {
-        return UNFIT;
-    }
-    return (int32_t)warpos_gps_measurement(
-        taken[0].at, taken[1].at, taken[2].at);
-}
+static const wanted_t wanted_warpos_gps_measurement_batch[] = {
+    {NPY_DOUBLE, 8, false, 1, {15}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 2, {3, 15}},
+    {NPY_UINT8, 1, true, 0, {0}},
+};
 
 int32_t straight_warpos_gps_measurement_batch(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {15}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_DOUBLE, 8, true, 2, {3, 15}},
-        {NPY_UINT8, 1, true, 0, {0}},
-    };
+    const wanted_t *const wanted = wanted_warpos_gps_measurement_batch;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[4];
     extent_t extent;
 
-    if (!take(given, wanted, 4, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 4, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)warpos_gps_measurement_batch(
@@ -121,18 +82,22 @@ int32_t straight_warpos_gps_measurement_batch(uintptr_t given, int32_t first, in
         epoch_of(&taken[3], &wanted[3], first));
 }
 
+static const wanted_t wanted_warpos_gps_measurement_batch_nz[] = {
+    {NPY_DOUBLE, 8, false, 1, {15}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_UINT8, 1, true, 0, {0}},
+};
+
 int32_t straight_warpos_gps_measurement_batch_nz(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {15}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_UINT8, 1, true, 0, {0}},
-    };
+    const wanted_t *const wanted = wanted_warpos_gps_measurement_batch_nz;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[4];
     extent_t extent;
 
-    if (!take(given, wanted, 4, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 4, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)warpos_gps_measurement_batch_nz(
@@ -141,18 +106,22 @@ int32_t straight_warpos_gps_measurement_batch_nz(uintptr_t given, int32_t first,
         epoch_of(&taken[3], &wanted[3], first));
 }
 
+static const wanted_t wanted_warpos_gps_measurement_by_column_batch[] = {
+    {NPY_DOUBLE, 8, false, 1, {15}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 2, {3, 15}},
+    {NPY_UINT8, 1, true, 0, {0}},
+};
+
 int32_t straight_warpos_gps_measurement_by_column_batch(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {15}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_DOUBLE, 8, true, 2, {3, 15}},
-        {NPY_UINT8, 1, true, 0, {0}},
-    };
+    const wanted_t *const wanted = wanted_warpos_gps_measurement_by_column_batch;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[4];
     extent_t extent;
 
-    if (!take(given, wanted, 4, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 4, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)warpos_gps_measurement_by_column_batch(
@@ -161,18 +130,22 @@ int32_t straight_warpos_gps_measurement_by_column_batch(uintptr_t given, int32_t
         epoch_of(&taken[3], &wanted[3], first));
 }
 
+static const wanted_t wanted_warpos_gps_measurement_by_column_batch_nz[] = {
+    {NPY_DOUBLE, 8, false, 1, {15}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_UINT8, 1, true, 0, {0}},
+};
+
 int32_t straight_warpos_gps_measurement_by_column_batch_nz(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {15}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_UINT8, 1, true, 0, {0}},
-    };
+    const wanted_t *const wanted = wanted_warpos_gps_measurement_by_column_batch_nz;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[4];
     extent_t extent;
 
-    if (!take(given, wanted, 4, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 4, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)warpos_gps_measurement_by_column_batch_nz(
@@ -181,37 +154,23 @@ int32_t straight_warpos_gps_measurement_by_column_batch_nz(uintptr_t given, int3
         epoch_of(&taken[3], &wanted[3], first));
 }
 
-int32_t straight_warpos_gps_observed(uintptr_t given)
-{
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {15}},
-        {NPY_DOUBLE, 8, false, 1, {4}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_DOUBLE, 8, true, 2, {3, 15}},
-    };
-    taken_t taken[4];
-    extent_t extent;
-
-    if (!take(given, wanted, 4, false, &extent, taken)) {
-        return UNFIT;
-    }
-    return (int32_t)warpos_gps_observed(
-        taken[0].at, taken[1].at, taken[2].at, taken[3].at);
-}
+static const wanted_t wanted_warpos_gps_observed_batch[] = {
+    {NPY_DOUBLE, 8, false, 1, {15}},
+    {NPY_DOUBLE, 8, false, 1, {4}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 2, {3, 15}},
+    {NPY_UINT8, 1, true, 0, {0}},
+};
 
 int32_t straight_warpos_gps_observed_batch(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {15}},
-        {NPY_DOUBLE, 8, false, 1, {4}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_DOUBLE, 8, true, 2, {3, 15}},
-        {NPY_UINT8, 1, true, 0, {0}},
-    };
+    const wanted_t *const wanted = wanted_warpos_gps_observed_batch;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[5];
     extent_t extent;
 
-    if (!take(given, wanted, 5, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 5, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)warpos_gps_observed_batch(
@@ -221,19 +180,23 @@ int32_t straight_warpos_gps_observed_batch(uintptr_t given, int32_t first, int32
         epoch_of(&taken[4], &wanted[4], first));
 }
 
+static const wanted_t wanted_warpos_gps_observed_batch_nz[] = {
+    {NPY_DOUBLE, 8, false, 1, {15}},
+    {NPY_DOUBLE, 8, false, 1, {4}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {9}},
+    {NPY_UINT8, 1, true, 0, {0}},
+};
+
 int32_t straight_warpos_gps_observed_batch_nz(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {15}},
-        {NPY_DOUBLE, 8, false, 1, {4}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_DOUBLE, 8, true, 1, {9}},
-        {NPY_UINT8, 1, true, 0, {0}},
-    };
+    const wanted_t *const wanted = wanted_warpos_gps_observed_batch_nz;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[5];
     extent_t extent;
 
-    if (!take(given, wanted, 5, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 5, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)warpos_gps_observed_batch_nz(
@@ -243,19 +206,23 @@ int32_t straight_warpos_gps_observed_batch_nz(uintptr_t given, int32_t first, in
         epoch_of(&taken[4], &wanted[4], first));
 }
 
+static const wanted_t wanted_warpos_gps_observed_by_column_batch[] = {
+    {NPY_DOUBLE, 8, false, 1, {15}},
+    {NPY_DOUBLE, 8, false, 1, {4}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 2, {3, 15}},
+    {NPY_UINT8, 1, true, 0, {0}},
+};
+
 int32_t straight_warpos_gps_observed_by_column_batch(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {15}},
-        {NPY_DOUBLE, 8, false, 1, {4}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_DOUBLE, 8, true, 2, {3, 15}},
-        {NPY_UINT8, 1, true, 0, {0}},
-    };
+    const wanted_t *const wanted = wanted_warpos_gps_observed_by_column_batch;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[5];
     extent_t extent;
 
-    if (!take(given, wanted, 5, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 5, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)warpos_gps_observed_by_column_batch(
@@ -265,19 +232,23 @@ int32_t straight_warpos_gps_observed_by_column_batch(uintptr_t given, int32_t fi
         epoch_of(&taken[4], &wanted[4], first));
 }
 
+static const wanted_t wanted_warpos_gps_observed_by_column_batch_nz[] = {
+    {NPY_DOUBLE, 8, false, 1, {15}},
+    {NPY_DOUBLE, 8, false, 1, {4}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {9}},
+    {NPY_UINT8, 1, true, 0, {0}},
+};
+
 int32_t straight_warpos_gps_observed_by_column_batch_nz(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {15}},
-        {NPY_DOUBLE, 8, false, 1, {4}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_DOUBLE, 8, true, 1, {9}},
-        {NPY_UINT8, 1, true, 0, {0}},
-    };
+    const wanted_t *const wanted = wanted_warpos_gps_observed_by_column_batch_nz;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[5];
     extent_t extent;
 
-    if (!take(given, wanted, 5, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 5, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)warpos_gps_observed_by_column_batch_nz(
@@ -287,46 +258,27 @@ int32_t straight_warpos_gps_observed_by_column_batch_nz(uintptr_t given, int32_t
         epoch_of(&taken[4], &wanted[4], first));
 }
 
-int32_t straight_warpos_gps_to_state_frame(uintptr_t given)
-{
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {4}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, false, 1, {4}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, false, 1, {9}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_DOUBLE, 8, true, 1, {9}},
-    };
-    taken_t taken[8];
-    extent_t extent;
-
-    if (!take(given, wanted, 8, false, &extent, taken)) {
-        return UNFIT;
-    }
-    return (int32_t)warpos_gps_to_state_frame(
-        taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at, taken[6].at,
-        taken[7].at);
-}
+static const wanted_t wanted_warpos_gps_to_state_frame_batch[] = {
+    {NPY_DOUBLE, 8, false, 1, {4}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {4}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {9}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {9}},
+    {NPY_UINT8, 1, true, 0, {0}},
+};
 
 int32_t straight_warpos_gps_to_state_frame_batch(uintptr_t given, int32_t first, int32_t count)
 {
-    static const wanted_t wanted[] = {
-        {NPY_DOUBLE, 8, false, 1, {4}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, false, 1, {4}},
-        {NPY_DOUBLE, 8, false, 1, {3}},
-        {NPY_DOUBLE, 8, false, 1, {9}},
-        {NPY_DOUBLE, 8, true, 1, {3}},
-        {NPY_DOUBLE, 8, true, 1, {9}},
-        {NPY_UINT8, 1, true, 0, {0}},
-    };
+    const wanted_t *const wanted = wanted_warpos_gps_to_state_frame_batch;
+    PyObject *const tuple = (PyObject *)given;
     taken_t taken[9];
     extent_t extent;
 
-    if (!take(given, wanted, 9, true, &extent, taken) || !has_epochs(&extent, first, count)) {
+    if (!take(tuple, 0, wanted, 9, true, &extent, taken)
+        || !has_epochs(&extent, first, count)) {
         return UNFIT;
     }
     return (int32_t)warpos_gps_to_state_frame_batch(
@@ -338,4 +290,270 @@ int32_t straight_warpos_gps_to_state_frame_batch(uintptr_t given, int32_t first,
         epoch_of(&taken[5], &wanted[5], first), (int32_t)taken[5].step,
         epoch_of(&taken[6], &wanted[6], first), epoch_of(&taken[7], &wanted[7], first),
         epoch_of(&taken[8], &wanted[8], first));
+}
+
+static const wanted_t wanted_warpos_gps_retract[] = {
+    {NPY_DOUBLE, 8, false, 1, {15}},
+    {NPY_DOUBLE, 8, false, 1, {15}},
+    {NPY_DOUBLE, 8, true, 1, {15}},
+};
+
+static PyObject *call_warpos_gps_retract(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_warpos_gps_retract, 2, 1, 1};
+    PyObject *results[1];
+    taken_t taken[3];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)warpos_gps_retract(
+        taken[0].at, taken[1].at, taken[2].at);
+    step_back(aside);
+    return finish(&call, kept, results, status);
+}
+
+static PyObject *bound_warpos_gps_retract(PyObject *kept, PyObject *nothing)
+{
+    const wanted_t *const wanted = wanted_warpos_gps_retract;
+    taken_t taken[3];
+    extent_t extent;
+    int32_t status = UNFIT;
+
+    (void)nothing;
+    if (take(kept, BOUND_MORE, wanted, 3, false, &extent, taken)) {
+        PyThreadState *const aside = step_aside(&extent);
+
+        status = (int32_t)warpos_gps_retract(
+            taken[0].at, taken[1].at, taken[2].at);
+        step_back(aside);
+    }
+    return finish_bound(kept, 3, status);
+}
+
+static const wanted_t wanted_warpos_gps_local[] = {
+    {NPY_DOUBLE, 8, false, 1, {15}},
+    {NPY_DOUBLE, 8, false, 1, {15}},
+    {NPY_DOUBLE, 8, true, 1, {15}},
+};
+
+static PyObject *call_warpos_gps_local(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_warpos_gps_local, 2, 1, 1};
+    PyObject *results[1];
+    taken_t taken[3];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)warpos_gps_local(
+        taken[0].at, taken[1].at, taken[2].at);
+    step_back(aside);
+    return finish(&call, kept, results, status);
+}
+
+static PyObject *bound_warpos_gps_local(PyObject *kept, PyObject *nothing)
+{
+    const wanted_t *const wanted = wanted_warpos_gps_local;
+    taken_t taken[3];
+    extent_t extent;
+    int32_t status = UNFIT;
+
+    (void)nothing;
+    if (take(kept, BOUND_MORE, wanted, 3, false, &extent, taken)) {
+        PyThreadState *const aside = step_aside(&extent);
+
+        status = (int32_t)warpos_gps_local(
+            taken[0].at, taken[1].at, taken[2].at);
+        step_back(aside);
+    }
+    return finish_bound(kept, 3, status);
+}
+
+static const wanted_t wanted_warpos_gps_measurement[] = {
+    {NPY_DOUBLE, 8, false, 1, {15}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 2, {3, 15}},
+};
+
+static PyObject *call_warpos_gps_measurement(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_warpos_gps_measurement, 1, 2, 2};
+    PyObject *results[2];
+    taken_t taken[3];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)warpos_gps_measurement(
+        taken[0].at, taken[1].at, taken[2].at);
+    step_back(aside);
+    return finish(&call, kept, results, status);
+}
+
+static PyObject *bound_warpos_gps_measurement(PyObject *kept, PyObject *nothing)
+{
+    const wanted_t *const wanted = wanted_warpos_gps_measurement;
+    taken_t taken[3];
+    extent_t extent;
+    int32_t status = UNFIT;
+
+    (void)nothing;
+    if (take(kept, BOUND_MORE, wanted, 3, false, &extent, taken)) {
+        PyThreadState *const aside = step_aside(&extent);
+
+        status = (int32_t)warpos_gps_measurement(
+            taken[0].at, taken[1].at, taken[2].at);
+        step_back(aside);
+    }
+    return finish_bound(kept, 3, status);
+}
+
+static const wanted_t wanted_warpos_gps_observed[] = {
+    {NPY_DOUBLE, 8, false, 1, {15}},
+    {NPY_DOUBLE, 8, false, 1, {4}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 2, {3, 15}},
+};
+
+static PyObject *call_warpos_gps_observed(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_warpos_gps_observed, 2, 2, 2};
+    PyObject *results[2];
+    taken_t taken[4];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)warpos_gps_observed(
+        taken[0].at, taken[1].at, taken[2].at, taken[3].at);
+    step_back(aside);
+    return finish(&call, kept, results, status);
+}
+
+static PyObject *bound_warpos_gps_observed(PyObject *kept, PyObject *nothing)
+{
+    const wanted_t *const wanted = wanted_warpos_gps_observed;
+    taken_t taken[4];
+    extent_t extent;
+    int32_t status = UNFIT;
+
+    (void)nothing;
+    if (take(kept, BOUND_MORE, wanted, 4, false, &extent, taken)) {
+        PyThreadState *const aside = step_aside(&extent);
+
+        status = (int32_t)warpos_gps_observed(
+            taken[0].at, taken[1].at, taken[2].at, taken[3].at);
+        step_back(aside);
+    }
+    return finish_bound(kept, 4, status);
+}
+
+static const wanted_t wanted_warpos_gps_to_state_frame[] = {
+    {NPY_DOUBLE, 8, false, 1, {4}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {4}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {9}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {9}},
+};
+
+static PyObject *call_warpos_gps_to_state_frame(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_warpos_gps_to_state_frame, 6, 2, 2};
+    PyObject *results[2];
+    taken_t taken[8];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)warpos_gps_to_state_frame(
+        taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
+        taken[6].at, taken[7].at);
+    step_back(aside);
+    return finish(&call, kept, results, status);
+}
+
+static PyObject *bound_warpos_gps_to_state_frame(PyObject *kept, PyObject *nothing)
+{
+    const wanted_t *const wanted = wanted_warpos_gps_to_state_frame;
+    taken_t taken[8];
+    extent_t extent;
+    int32_t status = UNFIT;
+
+    (void)nothing;
+    if (take(kept, BOUND_MORE, wanted, 8, false, &extent, taken)) {
+        PyThreadState *const aside = step_aside(&extent);
+
+        status = (int32_t)warpos_gps_to_state_frame(
+            taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
+            taken[6].at, taken[7].at);
+        step_back(aside);
+    }
+    return finish_bound(kept, 8, status);
+}
+
+int32_t straight_warpos_gps__open(uintptr_t list, const char *name)
+{
+    static PyMethodDef methods[] = {
+        {"retract", (PyCFunction)(void (*)(void))call_warpos_gps_retract,
+         METH_FASTCALL, NULL},
+        {"retract.bind", bound_warpos_gps_retract, METH_NOARGS, NULL},
+        {"local", (PyCFunction)(void (*)(void))call_warpos_gps_local,
+         METH_FASTCALL, NULL},
+        {"local.bind", bound_warpos_gps_local, METH_NOARGS, NULL},
+        {"measurement", (PyCFunction)(void (*)(void))call_warpos_gps_measurement,
+         METH_FASTCALL, NULL},
+        {"measurement.bind", bound_warpos_gps_measurement, METH_NOARGS, NULL},
+        {"observed", (PyCFunction)(void (*)(void))call_warpos_gps_observed,
+         METH_FASTCALL, NULL},
+        {"observed.bind", bound_warpos_gps_observed, METH_NOARGS, NULL},
+        {"to_state_frame", (PyCFunction)(void (*)(void))call_warpos_gps_to_state_frame,
+         METH_FASTCALL, NULL},
+        {"to_state_frame.bind", bound_warpos_gps_to_state_frame, METH_NOARGS, NULL},
+    };
+
+    return open_call(list, name, methods, 10);
 }

@@ -189,13 +189,16 @@ class Store:
         real = self.kernel.target.real
         parameters = [f"const {real} nonzeros[]", f"const {real} reference[]"] if self.count else []
         parameters += ["int32_t stride"] if self.count > 1 else []
-        for slot in self.slots:
-            name = self.slot_name(slot)
-            parameters += [f"int32_t {name}", f"int32_t reference_{name}"]
+        names = [self.slot_name(slot) for slot in self.slots]
+        lead = "reference_"
+        while not {f"{lead}{name}" for name in names}.isdisjoint(names):
+            lead += "reference_"
+        for name in names:
+            parameters += [f"int32_t {name}", f"int32_t {lead}{name}"]
         lines = [
             *self._elements("nonzeros[{0}] - reference[{0}]"),
             *self._moving("nonzeros[{0}]", "+=", ""),
-            *self._moving("reference[{0}]", "-=", "reference_"),
+            *self._moving("reference[{0}]", "-=", lead),
         ]
         return Routine(
             f"Store {self.output.name} of an item less that of the reference item.",

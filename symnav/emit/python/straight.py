@@ -1,8 +1,9 @@
-"""Straight ways from Python to compiled C: C that takes NumPy's arrays out of a tuple.
+"""Straight ways from Python to compiled C: C that looks at NumPy's arrays and makes them.
 
 The compiled extension has them beside the exported C, which knows nothing of Python. Each checks
 kind, shape and memory of every array and calls an entry point, which takes less than a single
-look at an array from Python.
+look at an array from Python. For one epoch there is a call of Python's own as well, which makes
+the arrays of its result.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from symnav import ir
 from symnav.emit.python.shapes import is_jacobian, is_scalar, jacobians
 from symnav.emit.templates import plain, render
 
-_WIDTH = 100
+_WIDTH = 96  # some are indented once more
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,27 +23,38 @@ class Way:
     """One of the functions.
 
     Attributes:
-        symbol: its name.
-        parameters: as declared.
-        many: ``true`` for many epochs, as C says it.
+        name: of the function.
+        entry: the entry point it leads to.
+        inputs: how many rows of the table are inputs.
+        outputs: how many after them a caller may give.
         wanted: rows of the table of what must come in.
-        call: lines that call the entry point.
+        passed: lines of what the entry point is given.
     """
 
-    symbol: str
-    parameters: str
-    many: str
+    name: str
+    entry: str
+    inputs: int
+    outputs: int
     wanted: tuple[str, ...]
-    call: tuple[str, ...]
+    passed: tuple[str, ...]
+
+    @property
+    def results(self) -> int:
+        """How many arrays the result has."""
+        return len(self.wanted) - self.inputs
 
 
 def sources(module: ir.Module) -> dict[str, str]:
     """The C of a module's straight ways, by path."""
-    ways = [way for function in module.functions for way in _ways(module, function)]
+    once = [f for f in module.functions if has_epoch(f)]
+    ways = {
+        "calls": [_way(module, f, "", f.outputs) for f in once],
+        "batches": [way for f in module.functions for way in _batches(module, f)],
+    }
     stem = f"straight/{module.name}_straight"
     return {
-        f"{stem}.c": render("straight/functions.c.j2", prefix=module.name, ways=ways),
-        f"{stem}.h": render("straight/functions.h.j2", prefix=module.name, ways=ways),
+        f"{stem}.c": render("straight/functions.c.j2", prefix=module.name, **ways),
+        f"{stem}.h": render("straight/functions.h.j2", prefix=module.name, **ways),
         "straight/straight.h": plain("straight/straight.h"),
     }
 
@@ -52,25 +64,18 @@ def has_epoch(function: ir.Function) -> bool:
     return not function.column_major
 
 
-def _ways(module: ir.Module, function: ir.Function) -> Iterator[Way]:
-    if has_epoch(function):
-        yield _way(module, function, "", function.outputs, many=False)
-    yield _way(module, function, "_batch", function.outputs, many=True)
+def _batches(module: ir.Module, function: ir.Function) -> Iterator[Way]:
+    yield _way(module, function, "_batch", function.outputs)
     if any(output.entries for output in jacobians(function)):
         stored = [o for o in function.outputs if o.entries or not is_jacobian(o)]
-        yield _way(module, function, "_batch_nz", stored, many=True)
+        yield _way(module, function, "_batch_nz", stored)
 
 
 def _way(
-    module: ir.Module,
-    function: ir.Function,
-    suffix: str,
-    outputs: Sequence[ir.Output],
-    *,
-    many: bool,
+    module: ir.Module, function: ir.Function, suffix: str, outputs: Sequence[ir.Output]
 ) -> Way:
     """A straight way to one entry point."""
-    mapped = function.maximum is not None
+    mapped, many = function.maximum is not None, bool(suffix)
     real = ("NPY_DOUBLE", "8") if module.scalar is ir.Scalar.DOUBLE else ("NPY_FLOAT", "4")
     rows = []
     for argument in function.arguments:
@@ -84,11 +89,12 @@ def _way(
     rows += [_row(byte, ["ITEMS"], written=True)] if mapped else []
     entry = f"{module.name}_{function.name}{suffix}"
     return Way(
-        symbol=f"straight_{entry}",
-        parameters="uintptr_t given" + (", int32_t first, int32_t count" if many else ""),
-        many="true" if many else "false",
+        name=function.name,
+        entry=entry,
+        inputs=len(function.arguments),
+        outputs=len(outputs),
         wanted=tuple(rows),
-        call=tuple(_call(entry, len(function.arguments), len(rows), mapped=mapped, many=many)),
+        passed=tuple(_passed(len(function.arguments), len(rows), mapped=mapped, many=many)),
     )
 
 
@@ -111,8 +117,8 @@ def _output_axes(function: ir.Function, output: ir.Output, *, nonzeros: bool) ->
     return [*items, *map(str, output.shape)]
 
 
-def _call(entry: str, arguments: int, rows: int, *, mapped: bool, many: bool) -> Iterator[str]:
-    """Lines of the call, one argument after the other, wrapped."""
+def _passed(arguments: int, rows: int, *, mapped: bool, many: bool) -> Iterator[str]:
+    """Lines of what the entry point is given, one argument after the other, wrapped."""
     passed = ["count"] if many else []
     for place in range(rows):
         at = f"epoch_of(&taken[{place}], &wanted[{place}], first)"
@@ -121,7 +127,6 @@ def _call(entry: str, arguments: int, rows: int, *, mapped: bool, many: bool) ->
             passed.append(f"(int32_t)taken[{place}].step")
         if mapped and place == 0:
             passed.append("(int32_t)extent.items")
-    yield f"    return (int32_t){entry}("
     line = "       "
     for number, text in enumerate(passed):
         text += ");" if number == len(passed) - 1 else ","
