@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from typing import Any
 
@@ -46,6 +46,26 @@ class CompiledFunction(BatchFunction):
         if extent.batch == ():
             return self._once(part, arrays, extent, out)
         return self._many(part, arrays, extent, out)
+
+    def selector(self, part: Part) -> Callable[..., Any]:
+        """One epoch of arrays as the C wants them goes straight to it."""
+        general, signature = super().selector(part), self.signature
+        apart = part is Part.NONZEROS or bool(signature.values and signature.jacobians)
+        call = self._library.call(f"{signature.name}.{part.value}" if apart else signature.name)
+        names = tuple(name for name in signature.names if name != "x")
+        count = len(names)
+
+        def select(state: Sequence[Any], inputs: Mapping[str, Any], out: Any = None) -> Any:
+            if len(inputs) == count:
+                try:
+                    found = call(*state, *map(inputs.__getitem__, names), out)
+                except KeyError:
+                    found = None
+                if found is not None:
+                    return found
+            return general(state, inputs, out)
+
+        return select if outputs_of(signature, part) else general
 
     def difference(
         self, arrays: Sequence[Array], extent: Extent, reference: int, out: list[Array] | None

@@ -125,8 +125,13 @@ class Library:
             found = getattr(self.lib, f"straight_{self.prefix}_{name}", _decline)
         return found
 
-    def call(self, name: str, result: type) -> Callable[..., Any]:
-        """The call for one epoch: given arguments in order and ``out``, its result, or None."""
+    def call(self, name: str, result: type | None = None) -> Callable[..., Any]:
+        """The call for one epoch: given arguments in order and ``out``, its result, or None.
+
+        Args:
+            name: of the function, or with a dot and a form behind it.
+            result: type of the result; without it, the array or a tuple of arrays.
+        """
         return self._opened(name, (np.ndarray, result, Status.OK)) or _decline_call
 
     def bound(

@@ -3,18 +3,14 @@
 from __future__ import annotations
 
 import gc
-import sys
-import weakref
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
-from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 import numpy as np
 import pytest
-from numpy.testing import assert_allclose, assert_array_equal
+from numpy.testing import assert_array_equal
 
 from symnav import build
 from symnav.emit import c
@@ -123,79 +119,6 @@ def test_what_does_not_fit_is_declined(
     assert call(*arrays[:2], arrays[2:]) is None
     for array, before in zip(arrays[2:], held, strict=True):
         assert_array_equal(array, before)
-
-
-def test_calls_make_what_they_are_not_given(package: ModuleType, rng: np.random.Generator) -> None:
-    """Arrays of the shapes of one epoch, or those that `out` holds, in a result of its own type."""
-    native = backend(package, "native")
-    kind = type(native.gps(*epoch(rng)[:1], lever_arm=epoch(rng)[1]))
-    call = native._library.call("gps", kind)
-    x, arm, *out = epoch(rng)
-    fresh, expected = call(x, arm, None), backend(package, "numpy").gps(x, lever_arm=arm)
-    assert type(fresh) is kind and fresh.status is package.Status.OK
-    for array, other in zip(fresh[:-1], expected[:-1], strict=True):
-        assert (
-            type(array) is np.ndarray and array.shape == other.shape and array.dtype == other.dtype
-        )
-        assert array.flags.c_contiguous and array.flags.owndata and array.flags.writeable
-        assert array == pytest.approx(other, rel=1e-13)
-    holders: list[Any] = [out, tuple(out), (*out, None), kind(*out, None)]
-    for holder in holders:
-        for array in out:
-            array.fill(777.0)
-        filled = call(x, arm, holder)
-        for given, array, other in zip(out, filled, fresh, strict=False):
-            assert array is given
-            assert_array_equal(array, other)
-    alone = epoch(rng)[2]
-    others: list[Any] = [out[:-1], [*out, None, None], iter(out), out[0], {}, "four", 4, b"four"]
-    for holder in [*others, [*out[:-1], None], [*out[:-1], alone[:2]]]:
-        assert call(x, arm, holder) is None
-    for given in ((), (x,), (x, arm), (x, arm, None, None)):
-        assert call(*given) is None
-
-
-def test_calls_keep_count_of_what_they_hold(package: ModuleType, rng: np.random.Generator) -> None:
-    """Whatever becomes of a call, every object has as many owners afterwards as before."""
-    native = backend(package, "native")
-    call = native._library.call("ranges", tuple)
-    given = list(packages.arguments(FUNCTIONS["ranges"], rng, items=5).values())
-    out: list[Any] = [np.zeros(5), np.zeros(()), np.zeros((5, 12))]
-    failing = [given[0] * np.nan, *given[1:]]
-    bound = native._library.bound("ranges", [*given, *out, np.zeros(5, np.uint8)], out, int)
-    held = [*given, *out, out, package.Status.OK, tuple]
-    before = [sys.getrefcount(one) for one in held]
-    for _ in range(100):
-        assert call(*given, None) is not None
-        assert call(*given, out) is not None
-        assert call(*given, [*out[:2], None]) is None
-        assert call(*failing, None) is None
-        assert call(*failing, out) is None
-        assert bound() is out
-    assert [sys.getrefcount(one) for one in held] == before
-    found = call(*given, None)
-    assert [np.shape(one) for one in found] == [(5,), (), (5, 12), (), (5,)]
-    assert found[3] is package.Status.OK and found[4].dtype == np.uint8
-    kept = weakref.ref(call(*given, None)[2])
-    assert kept() is None
-
-
-def test_many_items_let_others_run(tmp_path: Path, rng: np.random.Generator) -> None:
-    """More items than are worth it to hold the interpreter for, by several threads at once."""
-    ranges = replace(modules.ranges(), maximum=3000)
-    made = modules.module(ranges, name="many")
-    packages.write({**packages.text_of(made), **c.emit(made)}, tmp_path / "many")
-    build.build(tmp_path / "many")
-    many = packages.load(tmp_path / "many")
-    given = [packages.arguments(ranges, rng, items=n) for n in (256, 257, 3000)]
-    expected = [called(backend(many, "numpy").ranges, one) for one in given]
-    bound = called(many.ranges.bind, given[-1])
-    with ThreadPoolExecutor(4) as pool:
-        for place, found in enumerate(
-            pool.map(lambda k: called(many.ranges, given[k % 3]), range(300))
-        ):
-            assert_allclose(found.jacobian, expected[place % 3].jacobian, rtol=1e-12)
-        assert all(pool.map(lambda _: bound() is bound(), range(100)))
 
 
 def test_overlap_is_declined_and_neighbours_are_not(

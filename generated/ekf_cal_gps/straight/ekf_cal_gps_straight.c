@@ -244,21 +244,21 @@ static PyObject *call_ekf_cal_gps_retract(
     Py_ssize_t count)
 {
     static const call_t call = {
-        wanted_ekf_cal_gps_retract, 2, 1, 1};
-    PyObject *results[1];
+        wanted_ekf_cal_gps_retract, 2, 0, 1, 1};
+    PyObject *arrays[1];
     taken_t taken[3];
     extent_t extent;
     PyThreadState *aside;
     int32_t status;
 
-    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
         Py_RETURN_NONE;
     }
     aside = step_aside(&extent);
     status = (int32_t)ekf_cal_gps_retract(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, results, status);
+    return finish(&call, kept, arrays, status);
 }
 
 static PyObject *bound_ekf_cal_gps_retract(PyObject *kept, PyObject *nothing)
@@ -291,21 +291,21 @@ static PyObject *call_ekf_cal_gps_local(
     Py_ssize_t count)
 {
     static const call_t call = {
-        wanted_ekf_cal_gps_local, 2, 1, 1};
-    PyObject *results[1];
+        wanted_ekf_cal_gps_local, 2, 0, 1, 1};
+    PyObject *arrays[1];
     taken_t taken[3];
     extent_t extent;
     PyThreadState *aside;
     int32_t status;
 
-    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
         Py_RETURN_NONE;
     }
     aside = step_aside(&extent);
     status = (int32_t)ekf_cal_gps_local(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, results, status);
+    return finish(&call, kept, arrays, status);
 }
 
 static PyObject *bound_ekf_cal_gps_local(PyObject *kept, PyObject *nothing)
@@ -340,21 +340,21 @@ static PyObject *call_ekf_cal_gps_gps(
     Py_ssize_t count)
 {
     static const call_t call = {
-        wanted_ekf_cal_gps_gps, 2, 3, 3};
-    PyObject *results[3];
+        wanted_ekf_cal_gps_gps, 2, 0, 3, 3};
+    PyObject *arrays[3];
     taken_t taken[5];
     extent_t extent;
     PyThreadState *aside;
     int32_t status;
 
-    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
         Py_RETURN_NONE;
     }
     aside = step_aside(&extent);
     status = (int32_t)ekf_cal_gps_gps(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at);
     step_back(aside);
-    return finish(&call, kept, results, status);
+    return finish(&call, kept, arrays, status);
 }
 
 static PyObject *bound_ekf_cal_gps_gps(PyObject *kept, PyObject *nothing)
@@ -375,6 +375,96 @@ static PyObject *bound_ekf_cal_gps_gps(PyObject *kept, PyObject *nothing)
     return finish_bound(kept, 5, status);
 }
 
+static const wanted_t wanted_ekf_cal_gps_gps_value[] = {
+    {NPY_DOUBLE, 8, false, 1, {22}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+};
+
+static PyObject *call_ekf_cal_gps_gps_value(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_ekf_cal_gps_gps_value, 2, 0, 2, 2};
+    PyObject *arrays[2];
+    taken_t taken[4];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)ekf_cal_gps_gps_value(
+        taken[0].at, taken[1].at, taken[2].at, taken[3].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
+static const wanted_t wanted_ekf_cal_gps_gps_jacobian[] = {
+    {NPY_DOUBLE, 8, false, 1, {22}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, true, 2, {3, 21}},
+};
+
+static PyObject *call_ekf_cal_gps_gps_jacobian(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_ekf_cal_gps_gps_jacobian, 2, 0, 1, 1};
+    PyObject *arrays[1];
+    taken_t taken[3];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)ekf_cal_gps_gps_jacobian(
+        taken[0].at, taken[1].at, taken[2].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
+static const wanted_t wanted_ekf_cal_gps_gps_nz[] = {
+    {NPY_DOUBLE, 8, false, 1, {22}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {21}},
+};
+
+static PyObject *call_ekf_cal_gps_gps_nz(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_ekf_cal_gps_gps_nz, 2, 2, 1, 3};
+    PyObject *arrays[3];
+    taken_t taken[5];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)ekf_cal_gps_gps_nz(
+        taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
 static const wanted_t wanted_ekf_cal_gps_gps_known_antenna[] = {
     {NPY_DOUBLE, 8, false, 1, {22}},
     {NPY_DOUBLE, 8, false, 1, {3}},
@@ -390,21 +480,21 @@ static PyObject *call_ekf_cal_gps_gps_known_antenna(
     Py_ssize_t count)
 {
     static const call_t call = {
-        wanted_ekf_cal_gps_gps_known_antenna, 3, 3, 3};
-    PyObject *results[3];
+        wanted_ekf_cal_gps_gps_known_antenna, 3, 0, 3, 3};
+    PyObject *arrays[3];
     taken_t taken[6];
     extent_t extent;
     PyThreadState *aside;
     int32_t status;
 
-    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
         Py_RETURN_NONE;
     }
     aside = step_aside(&extent);
     status = (int32_t)ekf_cal_gps_gps_known_antenna(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at);
     step_back(aside);
-    return finish(&call, kept, results, status);
+    return finish(&call, kept, arrays, status);
 }
 
 static PyObject *bound_ekf_cal_gps_gps_known_antenna(PyObject *kept, PyObject *nothing)
@@ -425,6 +515,99 @@ static PyObject *bound_ekf_cal_gps_gps_known_antenna(PyObject *kept, PyObject *n
     return finish_bound(kept, 6, status);
 }
 
+static const wanted_t wanted_ekf_cal_gps_gps_known_antenna_value[] = {
+    {NPY_DOUBLE, 8, false, 1, {22}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+};
+
+static PyObject *call_ekf_cal_gps_gps_known_antenna_value(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_ekf_cal_gps_gps_known_antenna_value, 3, 0, 2, 2};
+    PyObject *arrays[2];
+    taken_t taken[5];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)ekf_cal_gps_gps_known_antenna_value(
+        taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
+static const wanted_t wanted_ekf_cal_gps_gps_known_antenna_jacobian[] = {
+    {NPY_DOUBLE, 8, false, 1, {22}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, true, 2, {3, 21}},
+};
+
+static PyObject *call_ekf_cal_gps_gps_known_antenna_jacobian(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_ekf_cal_gps_gps_known_antenna_jacobian, 3, 0, 1, 1};
+    PyObject *arrays[1];
+    taken_t taken[4];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)ekf_cal_gps_gps_known_antenna_jacobian(
+        taken[0].at, taken[1].at, taken[2].at, taken[3].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
+static const wanted_t wanted_ekf_cal_gps_gps_known_antenna_nz[] = {
+    {NPY_DOUBLE, 8, false, 1, {22}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {12}},
+};
+
+static PyObject *call_ekf_cal_gps_gps_known_antenna_nz(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_ekf_cal_gps_gps_known_antenna_nz, 3, 2, 1, 3};
+    PyObject *arrays[3];
+    taken_t taken[6];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)ekf_cal_gps_gps_known_antenna_nz(
+        taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
 static const wanted_t wanted_ekf_cal_gps_local_fix[] = {
     {NPY_DOUBLE, 8, false, 0, {0}},
     {NPY_DOUBLE, 8, false, 1, {3}},
@@ -441,14 +624,14 @@ static PyObject *call_ekf_cal_gps_local_fix(
     Py_ssize_t count)
 {
     static const call_t call = {
-        wanted_ekf_cal_gps_local_fix, 4, 3, 3};
-    PyObject *results[3];
+        wanted_ekf_cal_gps_local_fix, 4, 0, 3, 3};
+    PyObject *arrays[3];
     taken_t taken[7];
     extent_t extent;
     PyThreadState *aside;
     int32_t status;
 
-    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
         Py_RETURN_NONE;
     }
     aside = step_aside(&extent);
@@ -456,7 +639,7 @@ static PyObject *call_ekf_cal_gps_local_fix(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
         taken[6].at);
     step_back(aside);
-    return finish(&call, kept, results, status);
+    return finish(&call, kept, arrays, status);
 }
 
 static PyObject *bound_ekf_cal_gps_local_fix(PyObject *kept, PyObject *nothing)
@@ -478,6 +661,69 @@ static PyObject *bound_ekf_cal_gps_local_fix(PyObject *kept, PyObject *nothing)
     return finish_bound(kept, 7, status);
 }
 
+static const wanted_t wanted_ekf_cal_gps_local_fix_value[] = {
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {9}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {9}},
+};
+
+static PyObject *call_ekf_cal_gps_local_fix_value(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_ekf_cal_gps_local_fix_value, 4, 0, 2, 2};
+    PyObject *arrays[2];
+    taken_t taken[6];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)ekf_cal_gps_local_fix_value(
+        taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
+static const wanted_t wanted_ekf_cal_gps_local_fix_jacobian[] = {
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {9}},
+    {NPY_DOUBLE, 8, true, 2, {3, 3}},
+};
+
+static PyObject *call_ekf_cal_gps_local_fix_jacobian(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_ekf_cal_gps_local_fix_jacobian, 4, 0, 1, 1};
+    PyObject *arrays[1];
+    taken_t taken[5];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)ekf_cal_gps_local_fix_jacobian(
+        taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
 int32_t straight_ekf_cal_gps__open(uintptr_t list, const char *name)
 {
     static PyMethodDef methods[] = {
@@ -490,13 +736,29 @@ int32_t straight_ekf_cal_gps__open(uintptr_t list, const char *name)
         {"gps", (PyCFunction)(void (*)(void))call_ekf_cal_gps_gps,
          METH_FASTCALL, NULL},
         {"gps.bind", bound_ekf_cal_gps_gps, METH_NOARGS, NULL},
+        {"gps.value", (PyCFunction)(void (*)(void))call_ekf_cal_gps_gps_value,
+         METH_FASTCALL, NULL},
+        {"gps.jacobian", (PyCFunction)(void (*)(void))call_ekf_cal_gps_gps_jacobian,
+         METH_FASTCALL, NULL},
+        {"gps.nonzeros", (PyCFunction)(void (*)(void))call_ekf_cal_gps_gps_nz,
+         METH_FASTCALL, NULL},
         {"gps_known_antenna", (PyCFunction)(void (*)(void))call_ekf_cal_gps_gps_known_antenna,
          METH_FASTCALL, NULL},
         {"gps_known_antenna.bind", bound_ekf_cal_gps_gps_known_antenna, METH_NOARGS, NULL},
+        {"gps_known_antenna.value", (PyCFunction)(void (*)(void))call_ekf_cal_gps_gps_known_antenna_value,
+         METH_FASTCALL, NULL},
+        {"gps_known_antenna.jacobian", (PyCFunction)(void (*)(void))call_ekf_cal_gps_gps_known_antenna_jacobian,
+         METH_FASTCALL, NULL},
+        {"gps_known_antenna.nonzeros", (PyCFunction)(void (*)(void))call_ekf_cal_gps_gps_known_antenna_nz,
+         METH_FASTCALL, NULL},
         {"local_fix", (PyCFunction)(void (*)(void))call_ekf_cal_gps_local_fix,
          METH_FASTCALL, NULL},
         {"local_fix.bind", bound_ekf_cal_gps_local_fix, METH_NOARGS, NULL},
+        {"local_fix.value", (PyCFunction)(void (*)(void))call_ekf_cal_gps_local_fix_value,
+         METH_FASTCALL, NULL},
+        {"local_fix.jacobian", (PyCFunction)(void (*)(void))call_ekf_cal_gps_local_fix_jacobian,
+         METH_FASTCALL, NULL},
     };
 
-    return open_call(list, name, methods, 10);
+    return open_call(list, name, methods, (int)(sizeof methods / sizeof methods[0]));
 }

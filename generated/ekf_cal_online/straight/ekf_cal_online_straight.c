@@ -194,21 +194,21 @@ static PyObject *call_ekf_cal_online_retract(
     Py_ssize_t count)
 {
     static const call_t call = {
-        wanted_ekf_cal_online_retract, 2, 1, 1};
-    PyObject *results[1];
+        wanted_ekf_cal_online_retract, 2, 0, 1, 1};
+    PyObject *arrays[1];
     taken_t taken[3];
     extent_t extent;
     PyThreadState *aside;
     int32_t status;
 
-    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
         Py_RETURN_NONE;
     }
     aside = step_aside(&extent);
     status = (int32_t)ekf_cal_online_retract(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, results, status);
+    return finish(&call, kept, arrays, status);
 }
 
 static PyObject *bound_ekf_cal_online_retract(PyObject *kept, PyObject *nothing)
@@ -241,21 +241,21 @@ static PyObject *call_ekf_cal_online_local(
     Py_ssize_t count)
 {
     static const call_t call = {
-        wanted_ekf_cal_online_local, 2, 1, 1};
-    PyObject *results[1];
+        wanted_ekf_cal_online_local, 2, 0, 1, 1};
+    PyObject *arrays[1];
     taken_t taken[3];
     extent_t extent;
     PyThreadState *aside;
     int32_t status;
 
-    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
         Py_RETURN_NONE;
     }
     aside = step_aside(&extent);
     status = (int32_t)ekf_cal_online_local(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, results, status);
+    return finish(&call, kept, arrays, status);
 }
 
 static PyObject *bound_ekf_cal_online_local(PyObject *kept, PyObject *nothing)
@@ -292,14 +292,14 @@ static PyObject *call_ekf_cal_online_gps_1(
     Py_ssize_t count)
 {
     static const call_t call = {
-        wanted_ekf_cal_online_gps_1, 3, 4, 4};
-    PyObject *results[4];
+        wanted_ekf_cal_online_gps_1, 3, 0, 4, 4};
+    PyObject *arrays[4];
     taken_t taken[7];
     extent_t extent;
     PyThreadState *aside;
     int32_t status;
 
-    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
         Py_RETURN_NONE;
     }
     aside = step_aside(&extent);
@@ -307,7 +307,7 @@ static PyObject *call_ekf_cal_online_gps_1(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
         taken[6].at);
     step_back(aside);
-    return finish(&call, kept, results, status);
+    return finish(&call, kept, arrays, status);
 }
 
 static PyObject *bound_ekf_cal_online_gps_1(PyObject *kept, PyObject *nothing)
@@ -329,6 +329,102 @@ static PyObject *bound_ekf_cal_online_gps_1(PyObject *kept, PyObject *nothing)
     return finish_bound(kept, 7, status);
 }
 
+static const wanted_t wanted_ekf_cal_online_gps_1_value[] = {
+    {NPY_DOUBLE, 8, false, 1, {26}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+};
+
+static PyObject *call_ekf_cal_online_gps_1_value(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_ekf_cal_online_gps_1_value, 3, 0, 2, 2};
+    PyObject *arrays[2];
+    taken_t taken[5];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)ekf_cal_online_gps_1_value(
+        taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
+static const wanted_t wanted_ekf_cal_online_gps_1_jacobian[] = {
+    {NPY_DOUBLE, 8, false, 1, {26}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, true, 2, {3, 25}},
+    {NPY_DOUBLE, 8, true, 2, {3, 3}},
+};
+
+static PyObject *call_ekf_cal_online_gps_1_jacobian(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_ekf_cal_online_gps_1_jacobian, 3, 0, 2, 2};
+    PyObject *arrays[2];
+    taken_t taken[5];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)ekf_cal_online_gps_1_jacobian(
+        taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
+static const wanted_t wanted_ekf_cal_online_gps_1_nz[] = {
+    {NPY_DOUBLE, 8, false, 1, {26}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {25}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+};
+
+static PyObject *call_ekf_cal_online_gps_1_nz(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_ekf_cal_online_gps_1_nz, 3, 2, 2, 4};
+    PyObject *arrays[4];
+    taken_t taken[7];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)ekf_cal_online_gps_1_nz(
+        taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
+        taken[6].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
 static const wanted_t wanted_ekf_cal_online_gps_2[] = {
     {NPY_DOUBLE, 8, false, 1, {26}},
     {NPY_DOUBLE, 8, false, 1, {3}},
@@ -345,14 +441,14 @@ static PyObject *call_ekf_cal_online_gps_2(
     Py_ssize_t count)
 {
     static const call_t call = {
-        wanted_ekf_cal_online_gps_2, 3, 4, 4};
-    PyObject *results[4];
+        wanted_ekf_cal_online_gps_2, 3, 0, 4, 4};
+    PyObject *arrays[4];
     taken_t taken[7];
     extent_t extent;
     PyThreadState *aside;
     int32_t status;
 
-    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
         Py_RETURN_NONE;
     }
     aside = step_aside(&extent);
@@ -360,7 +456,7 @@ static PyObject *call_ekf_cal_online_gps_2(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
         taken[6].at);
     step_back(aside);
-    return finish(&call, kept, results, status);
+    return finish(&call, kept, arrays, status);
 }
 
 static PyObject *bound_ekf_cal_online_gps_2(PyObject *kept, PyObject *nothing)
@@ -382,6 +478,102 @@ static PyObject *bound_ekf_cal_online_gps_2(PyObject *kept, PyObject *nothing)
     return finish_bound(kept, 7, status);
 }
 
+static const wanted_t wanted_ekf_cal_online_gps_2_value[] = {
+    {NPY_DOUBLE, 8, false, 1, {26}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+};
+
+static PyObject *call_ekf_cal_online_gps_2_value(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_ekf_cal_online_gps_2_value, 3, 0, 2, 2};
+    PyObject *arrays[2];
+    taken_t taken[5];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)ekf_cal_online_gps_2_value(
+        taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
+static const wanted_t wanted_ekf_cal_online_gps_2_jacobian[] = {
+    {NPY_DOUBLE, 8, false, 1, {26}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, true, 2, {3, 25}},
+    {NPY_DOUBLE, 8, true, 2, {3, 3}},
+};
+
+static PyObject *call_ekf_cal_online_gps_2_jacobian(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_ekf_cal_online_gps_2_jacobian, 3, 0, 2, 2};
+    PyObject *arrays[2];
+    taken_t taken[5];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)ekf_cal_online_gps_2_jacobian(
+        taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
+static const wanted_t wanted_ekf_cal_online_gps_2_nz[] = {
+    {NPY_DOUBLE, 8, false, 1, {26}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {25}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+};
+
+static PyObject *call_ekf_cal_online_gps_2_nz(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_ekf_cal_online_gps_2_nz, 3, 2, 2, 4};
+    PyObject *arrays[4];
+    taken_t taken[7];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)ekf_cal_online_gps_2_nz(
+        taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
+        taken[6].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
 int32_t straight_ekf_cal_online__open(uintptr_t list, const char *name)
 {
     static PyMethodDef methods[] = {
@@ -394,10 +586,22 @@ int32_t straight_ekf_cal_online__open(uintptr_t list, const char *name)
         {"gps_1", (PyCFunction)(void (*)(void))call_ekf_cal_online_gps_1,
          METH_FASTCALL, NULL},
         {"gps_1.bind", bound_ekf_cal_online_gps_1, METH_NOARGS, NULL},
+        {"gps_1.value", (PyCFunction)(void (*)(void))call_ekf_cal_online_gps_1_value,
+         METH_FASTCALL, NULL},
+        {"gps_1.jacobian", (PyCFunction)(void (*)(void))call_ekf_cal_online_gps_1_jacobian,
+         METH_FASTCALL, NULL},
+        {"gps_1.nonzeros", (PyCFunction)(void (*)(void))call_ekf_cal_online_gps_1_nz,
+         METH_FASTCALL, NULL},
         {"gps_2", (PyCFunction)(void (*)(void))call_ekf_cal_online_gps_2,
          METH_FASTCALL, NULL},
         {"gps_2.bind", bound_ekf_cal_online_gps_2, METH_NOARGS, NULL},
+        {"gps_2.value", (PyCFunction)(void (*)(void))call_ekf_cal_online_gps_2_value,
+         METH_FASTCALL, NULL},
+        {"gps_2.jacobian", (PyCFunction)(void (*)(void))call_ekf_cal_online_gps_2_jacobian,
+         METH_FASTCALL, NULL},
+        {"gps_2.nonzeros", (PyCFunction)(void (*)(void))call_ekf_cal_online_gps_2_nz,
+         METH_FASTCALL, NULL},
     };
 
-    return open_call(list, name, methods, 8);
+    return open_call(list, name, methods, (int)(sizeof methods / sizeof methods[0]));
 }

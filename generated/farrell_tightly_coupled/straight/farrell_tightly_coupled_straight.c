@@ -206,21 +206,21 @@ static PyObject *call_farrell_tightly_coupled_retract(
     Py_ssize_t count)
 {
     static const call_t call = {
-        wanted_farrell_tightly_coupled_retract, 2, 1, 1};
-    PyObject *results[1];
+        wanted_farrell_tightly_coupled_retract, 2, 0, 1, 1};
+    PyObject *arrays[1];
     taken_t taken[3];
     extent_t extent;
     PyThreadState *aside;
     int32_t status;
 
-    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
         Py_RETURN_NONE;
     }
     aside = step_aside(&extent);
     status = (int32_t)farrell_tightly_coupled_retract(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, results, status);
+    return finish(&call, kept, arrays, status);
 }
 
 static PyObject *bound_farrell_tightly_coupled_retract(PyObject *kept, PyObject *nothing)
@@ -253,21 +253,21 @@ static PyObject *call_farrell_tightly_coupled_local(
     Py_ssize_t count)
 {
     static const call_t call = {
-        wanted_farrell_tightly_coupled_local, 2, 1, 1};
-    PyObject *results[1];
+        wanted_farrell_tightly_coupled_local, 2, 0, 1, 1};
+    PyObject *arrays[1];
     taken_t taken[3];
     extent_t extent;
     PyThreadState *aside;
     int32_t status;
 
-    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
         Py_RETURN_NONE;
     }
     aside = step_aside(&extent);
     status = (int32_t)farrell_tightly_coupled_local(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, results, status);
+    return finish(&call, kept, arrays, status);
 }
 
 static PyObject *bound_farrell_tightly_coupled_local(PyObject *kept, PyObject *nothing)
@@ -306,14 +306,14 @@ static PyObject *call_farrell_tightly_coupled_pseudorange(
     Py_ssize_t count)
 {
     static const call_t call = {
-        wanted_farrell_tightly_coupled_pseudorange, 5, 3, 4};
-    PyObject *results[4];
+        wanted_farrell_tightly_coupled_pseudorange, 5, 0, 3, 4};
+    PyObject *arrays[4];
     taken_t taken[9];
     extent_t extent;
     PyThreadState *aside;
     int32_t status;
 
-    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
         Py_RETURN_NONE;
     }
     aside = step_aside(&extent);
@@ -321,7 +321,7 @@ static PyObject *call_farrell_tightly_coupled_pseudorange(
         taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
         taken[5].at, taken[6].at, taken[7].at, taken[8].at);
     step_back(aside);
-    return finish(&call, kept, results, status);
+    return finish(&call, kept, arrays, status);
 }
 
 static PyObject *bound_farrell_tightly_coupled_pseudorange(PyObject *kept, PyObject *nothing)
@@ -343,6 +343,75 @@ static PyObject *bound_farrell_tightly_coupled_pseudorange(PyObject *kept, PyObj
     return finish_bound(kept, 9, status);
 }
 
+static const wanted_t wanted_farrell_tightly_coupled_pseudorange_value[] = {
+    {NPY_DOUBLE, 8, false, 1, {18}},
+    {NPY_DOUBLE, 8, false, 1, {9}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, true, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, true, 1, {ITEMS}},
+    {NPY_UINT8, 1, true, 1, {ITEMS}},
+};
+
+static PyObject *call_farrell_tightly_coupled_pseudorange_value(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_farrell_tightly_coupled_pseudorange_value, 5, 0, 2, 3};
+    PyObject *arrays[3];
+    taken_t taken[8];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)farrell_tightly_coupled_pseudorange_value(
+        taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
+        taken[5].at, taken[6].at, taken[7].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
+static const wanted_t wanted_farrell_tightly_coupled_pseudorange_jacobian[] = {
+    {NPY_DOUBLE, 8, false, 1, {18}},
+    {NPY_DOUBLE, 8, false, 1, {9}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, true, 2, {ITEMS, 17}},
+    {NPY_UINT8, 1, true, 1, {ITEMS}},
+};
+
+static PyObject *call_farrell_tightly_coupled_pseudorange_jacobian(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_farrell_tightly_coupled_pseudorange_jacobian, 5, 0, 1, 2};
+    PyObject *arrays[2];
+    taken_t taken[7];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)farrell_tightly_coupled_pseudorange_jacobian(
+        taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
+        taken[5].at, taken[6].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
 static const wanted_t wanted_farrell_tightly_coupled_pseudorange_lever_arm[] = {
     {NPY_DOUBLE, 8, false, 1, {18}},
     {NPY_DOUBLE, 8, false, 1, {9}},
@@ -360,14 +429,14 @@ static PyObject *call_farrell_tightly_coupled_pseudorange_lever_arm(
     Py_ssize_t count)
 {
     static const call_t call = {
-        wanted_farrell_tightly_coupled_pseudorange_lever_arm, 5, 2, 3};
-    PyObject *results[3];
+        wanted_farrell_tightly_coupled_pseudorange_lever_arm, 5, 0, 2, 3};
+    PyObject *arrays[3];
     taken_t taken[8];
     extent_t extent;
     PyThreadState *aside;
     int32_t status;
 
-    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
         Py_RETURN_NONE;
     }
     aside = step_aside(&extent);
@@ -375,7 +444,7 @@ static PyObject *call_farrell_tightly_coupled_pseudorange_lever_arm(
         taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
         taken[5].at, taken[6].at, taken[7].at);
     step_back(aside);
-    return finish(&call, kept, results, status);
+    return finish(&call, kept, arrays, status);
 }
 
 static PyObject *bound_farrell_tightly_coupled_pseudorange_lever_arm(PyObject *kept, PyObject *nothing)
@@ -397,6 +466,74 @@ static PyObject *bound_farrell_tightly_coupled_pseudorange_lever_arm(PyObject *k
     return finish_bound(kept, 8, status);
 }
 
+static const wanted_t wanted_farrell_tightly_coupled_pseudorange_lever_arm_value[] = {
+    {NPY_DOUBLE, 8, false, 1, {18}},
+    {NPY_DOUBLE, 8, false, 1, {9}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
+    {NPY_DOUBLE, 8, true, 1, {ITEMS}},
+    {NPY_UINT8, 1, true, 1, {ITEMS}},
+};
+
+static PyObject *call_farrell_tightly_coupled_pseudorange_lever_arm_value(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_farrell_tightly_coupled_pseudorange_lever_arm_value, 5, 0, 1, 2};
+    PyObject *arrays[2];
+    taken_t taken[7];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)farrell_tightly_coupled_pseudorange_lever_arm_value(
+        taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
+        taken[5].at, taken[6].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
+static const wanted_t wanted_farrell_tightly_coupled_pseudorange_lever_arm_jacobian[] = {
+    {NPY_DOUBLE, 8, false, 1, {18}},
+    {NPY_DOUBLE, 8, false, 1, {9}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
+    {NPY_DOUBLE, 8, true, 2, {ITEMS, 17}},
+    {NPY_UINT8, 1, true, 1, {ITEMS}},
+};
+
+static PyObject *call_farrell_tightly_coupled_pseudorange_lever_arm_jacobian(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_farrell_tightly_coupled_pseudorange_lever_arm_jacobian, 5, 0, 1, 2};
+    PyObject *arrays[2];
+    taken_t taken[7];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)farrell_tightly_coupled_pseudorange_lever_arm_jacobian(
+        taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
+        taken[5].at, taken[6].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
 int32_t straight_farrell_tightly_coupled__open(uintptr_t list, const char *name)
 {
     static PyMethodDef methods[] = {
@@ -409,10 +546,18 @@ int32_t straight_farrell_tightly_coupled__open(uintptr_t list, const char *name)
         {"pseudorange", (PyCFunction)(void (*)(void))call_farrell_tightly_coupled_pseudorange,
          METH_FASTCALL, NULL},
         {"pseudorange.bind", bound_farrell_tightly_coupled_pseudorange, METH_NOARGS, NULL},
+        {"pseudorange.value", (PyCFunction)(void (*)(void))call_farrell_tightly_coupled_pseudorange_value,
+         METH_FASTCALL, NULL},
+        {"pseudorange.jacobian", (PyCFunction)(void (*)(void))call_farrell_tightly_coupled_pseudorange_jacobian,
+         METH_FASTCALL, NULL},
         {"pseudorange_lever_arm", (PyCFunction)(void (*)(void))call_farrell_tightly_coupled_pseudorange_lever_arm,
          METH_FASTCALL, NULL},
         {"pseudorange_lever_arm.bind", bound_farrell_tightly_coupled_pseudorange_lever_arm, METH_NOARGS, NULL},
+        {"pseudorange_lever_arm.value", (PyCFunction)(void (*)(void))call_farrell_tightly_coupled_pseudorange_lever_arm_value,
+         METH_FASTCALL, NULL},
+        {"pseudorange_lever_arm.jacobian", (PyCFunction)(void (*)(void))call_farrell_tightly_coupled_pseudorange_lever_arm_jacobian,
+         METH_FASTCALL, NULL},
     };
 
-    return open_call(list, name, methods, 8);
+    return open_call(list, name, methods, (int)(sizeof methods / sizeof methods[0]));
 }

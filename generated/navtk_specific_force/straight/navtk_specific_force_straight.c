@@ -206,21 +206,21 @@ static PyObject *call_navtk_specific_force_retract(
     Py_ssize_t count)
 {
     static const call_t call = {
-        wanted_navtk_specific_force_retract, 2, 1, 1};
-    PyObject *results[1];
+        wanted_navtk_specific_force_retract, 2, 0, 1, 1};
+    PyObject *arrays[1];
     taken_t taken[3];
     extent_t extent;
     PyThreadState *aside;
     int32_t status;
 
-    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
         Py_RETURN_NONE;
     }
     aside = step_aside(&extent);
     status = (int32_t)navtk_specific_force_retract(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, results, status);
+    return finish(&call, kept, arrays, status);
 }
 
 static PyObject *bound_navtk_specific_force_retract(PyObject *kept, PyObject *nothing)
@@ -253,21 +253,21 @@ static PyObject *call_navtk_specific_force_local(
     Py_ssize_t count)
 {
     static const call_t call = {
-        wanted_navtk_specific_force_local, 2, 1, 1};
-    PyObject *results[1];
+        wanted_navtk_specific_force_local, 2, 0, 1, 1};
+    PyObject *arrays[1];
     taken_t taken[3];
     extent_t extent;
     PyThreadState *aside;
     int32_t status;
 
-    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
         Py_RETURN_NONE;
     }
     aside = step_aside(&extent);
     status = (int32_t)navtk_specific_force_local(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, results, status);
+    return finish(&call, kept, arrays, status);
 }
 
 static PyObject *bound_navtk_specific_force_local(PyObject *kept, PyObject *nothing)
@@ -306,14 +306,14 @@ static PyObject *call_navtk_specific_force_calc_force(
     Py_ssize_t count)
 {
     static const call_t call = {
-        wanted_navtk_specific_force_calc_force, 4, 5, 5};
-    PyObject *results[5];
+        wanted_navtk_specific_force_calc_force, 4, 0, 5, 5};
+    PyObject *arrays[5];
     taken_t taken[9];
     extent_t extent;
     PyThreadState *aside;
     int32_t status;
 
-    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
         Py_RETURN_NONE;
     }
     aside = step_aside(&extent);
@@ -321,7 +321,7 @@ static PyObject *call_navtk_specific_force_calc_force(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
         taken[6].at, taken[7].at, taken[8].at);
     step_back(aside);
-    return finish(&call, kept, results, status);
+    return finish(&call, kept, arrays, status);
 }
 
 static PyObject *bound_navtk_specific_force_calc_force(PyObject *kept, PyObject *nothing)
@@ -343,6 +343,108 @@ static PyObject *bound_navtk_specific_force_calc_force(PyObject *kept, PyObject 
     return finish_bound(kept, 9, status);
 }
 
+static const wanted_t wanted_navtk_specific_force_calc_force_value[] = {
+    {NPY_DOUBLE, 8, false, 1, {9}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+};
+
+static PyObject *call_navtk_specific_force_calc_force_value(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_navtk_specific_force_calc_force_value, 4, 0, 1, 1};
+    PyObject *arrays[1];
+    taken_t taken[5];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)navtk_specific_force_calc_force_value(
+        taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
+static const wanted_t wanted_navtk_specific_force_calc_force_jacobian[] = {
+    {NPY_DOUBLE, 8, false, 1, {9}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, true, 2, {3, 3}},
+    {NPY_DOUBLE, 8, true, 2, {3, 3}},
+    {NPY_DOUBLE, 8, true, 2, {3, 3}},
+    {NPY_DOUBLE, 8, true, 2, {3, 1}},
+};
+
+static PyObject *call_navtk_specific_force_calc_force_jacobian(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_navtk_specific_force_calc_force_jacobian, 4, 0, 4, 4};
+    PyObject *arrays[4];
+    taken_t taken[8];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)navtk_specific_force_calc_force_jacobian(
+        taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
+        taken[6].at, taken[7].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
+static const wanted_t wanted_navtk_specific_force_calc_force_nz[] = {
+    {NPY_DOUBLE, 8, false, 1, {9}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {6}},
+    {NPY_DOUBLE, 8, true, 1, {9}},
+    {NPY_DOUBLE, 8, true, 1, {9}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+};
+
+static PyObject *call_navtk_specific_force_calc_force_nz(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_navtk_specific_force_calc_force_nz, 4, 1, 4, 5};
+    PyObject *arrays[5];
+    taken_t taken[9];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)navtk_specific_force_calc_force_nz(
+        taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
+        taken[6].at, taken[7].at, taken[8].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
 static const wanted_t wanted_navtk_specific_force_force[] = {
     {NPY_DOUBLE, 8, false, 1, {16}},
     {NPY_DOUBLE, 8, false, 1, {3}},
@@ -361,14 +463,14 @@ static PyObject *call_navtk_specific_force_force(
     Py_ssize_t count)
 {
     static const call_t call = {
-        wanted_navtk_specific_force_force, 4, 5, 5};
-    PyObject *results[5];
+        wanted_navtk_specific_force_force, 4, 0, 5, 5};
+    PyObject *arrays[5];
     taken_t taken[9];
     extent_t extent;
     PyThreadState *aside;
     int32_t status;
 
-    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
         Py_RETURN_NONE;
     }
     aside = step_aside(&extent);
@@ -376,7 +478,7 @@ static PyObject *call_navtk_specific_force_force(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
         taken[6].at, taken[7].at, taken[8].at);
     step_back(aside);
-    return finish(&call, kept, results, status);
+    return finish(&call, kept, arrays, status);
 }
 
 static PyObject *bound_navtk_specific_force_force(PyObject *kept, PyObject *nothing)
@@ -398,6 +500,108 @@ static PyObject *bound_navtk_specific_force_force(PyObject *kept, PyObject *noth
     return finish_bound(kept, 9, status);
 }
 
+static const wanted_t wanted_navtk_specific_force_force_value[] = {
+    {NPY_DOUBLE, 8, false, 1, {16}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+};
+
+static PyObject *call_navtk_specific_force_force_value(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_navtk_specific_force_force_value, 4, 0, 1, 1};
+    PyObject *arrays[1];
+    taken_t taken[5];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)navtk_specific_force_force_value(
+        taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
+static const wanted_t wanted_navtk_specific_force_force_jacobian[] = {
+    {NPY_DOUBLE, 8, false, 1, {16}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, true, 2, {3, 15}},
+    {NPY_DOUBLE, 8, true, 2, {3, 3}},
+    {NPY_DOUBLE, 8, true, 2, {3, 3}},
+    {NPY_DOUBLE, 8, true, 2, {3, 1}},
+};
+
+static PyObject *call_navtk_specific_force_force_jacobian(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_navtk_specific_force_force_jacobian, 4, 0, 4, 4};
+    PyObject *arrays[4];
+    taken_t taken[8];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)navtk_specific_force_force_jacobian(
+        taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
+        taken[6].at, taken[7].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
+static const wanted_t wanted_navtk_specific_force_force_nz[] = {
+    {NPY_DOUBLE, 8, false, 1, {16}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {24}},
+    {NPY_DOUBLE, 8, true, 1, {9}},
+    {NPY_DOUBLE, 8, true, 1, {9}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+};
+
+static PyObject *call_navtk_specific_force_force_nz(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_navtk_specific_force_force_nz, 4, 1, 4, 5};
+    PyObject *arrays[5];
+    taken_t taken[9];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)navtk_specific_force_force_nz(
+        taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
+        taken[6].at, taken[7].at, taken[8].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
 int32_t straight_navtk_specific_force__open(uintptr_t list, const char *name)
 {
     static PyMethodDef methods[] = {
@@ -410,10 +614,22 @@ int32_t straight_navtk_specific_force__open(uintptr_t list, const char *name)
         {"calc_force", (PyCFunction)(void (*)(void))call_navtk_specific_force_calc_force,
          METH_FASTCALL, NULL},
         {"calc_force.bind", bound_navtk_specific_force_calc_force, METH_NOARGS, NULL},
+        {"calc_force.value", (PyCFunction)(void (*)(void))call_navtk_specific_force_calc_force_value,
+         METH_FASTCALL, NULL},
+        {"calc_force.jacobian", (PyCFunction)(void (*)(void))call_navtk_specific_force_calc_force_jacobian,
+         METH_FASTCALL, NULL},
+        {"calc_force.nonzeros", (PyCFunction)(void (*)(void))call_navtk_specific_force_calc_force_nz,
+         METH_FASTCALL, NULL},
         {"force", (PyCFunction)(void (*)(void))call_navtk_specific_force_force,
          METH_FASTCALL, NULL},
         {"force.bind", bound_navtk_specific_force_force, METH_NOARGS, NULL},
+        {"force.value", (PyCFunction)(void (*)(void))call_navtk_specific_force_force_value,
+         METH_FASTCALL, NULL},
+        {"force.jacobian", (PyCFunction)(void (*)(void))call_navtk_specific_force_force_jacobian,
+         METH_FASTCALL, NULL},
+        {"force.nonzeros", (PyCFunction)(void (*)(void))call_navtk_specific_force_force_nz,
+         METH_FASTCALL, NULL},
     };
 
-    return open_call(list, name, methods, 8);
+    return open_call(list, name, methods, (int)(sizeof methods / sizeof methods[0]));
 }

@@ -264,21 +264,21 @@ static PyObject *call_rover_retract(
     Py_ssize_t count)
 {
     static const call_t call = {
-        wanted_rover_retract, 2, 1, 1};
-    PyObject *results[1];
+        wanted_rover_retract, 2, 0, 1, 1};
+    PyObject *arrays[1];
     taken_t taken[3];
     extent_t extent;
     PyThreadState *aside;
     int32_t status;
 
-    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
         Py_RETURN_NONE;
     }
     aside = step_aside(&extent);
     status = (int32_t)rover_retract(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, results, status);
+    return finish(&call, kept, arrays, status);
 }
 
 static PyObject *bound_rover_retract(PyObject *kept, PyObject *nothing)
@@ -311,21 +311,21 @@ static PyObject *call_rover_local(
     Py_ssize_t count)
 {
     static const call_t call = {
-        wanted_rover_local, 2, 1, 1};
-    PyObject *results[1];
+        wanted_rover_local, 2, 0, 1, 1};
+    PyObject *arrays[1];
     taken_t taken[3];
     extent_t extent;
     PyThreadState *aside;
     int32_t status;
 
-    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
         Py_RETURN_NONE;
     }
     aside = step_aside(&extent);
     status = (int32_t)rover_local(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, results, status);
+    return finish(&call, kept, arrays, status);
 }
 
 static PyObject *bound_rover_local(PyObject *kept, PyObject *nothing)
@@ -358,21 +358,21 @@ static PyObject *call_rover_gps(
     Py_ssize_t count)
 {
     static const call_t call = {
-        wanted_rover_gps, 1, 2, 2};
-    PyObject *results[2];
+        wanted_rover_gps, 1, 0, 2, 2};
+    PyObject *arrays[2];
     taken_t taken[3];
     extent_t extent;
     PyThreadState *aside;
     int32_t status;
 
-    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
         Py_RETURN_NONE;
     }
     aside = step_aside(&extent);
     status = (int32_t)rover_gps(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, results, status);
+    return finish(&call, kept, arrays, status);
 }
 
 static PyObject *bound_rover_gps(PyObject *kept, PyObject *nothing)
@@ -391,6 +391,91 @@ static PyObject *bound_rover_gps(PyObject *kept, PyObject *nothing)
         step_back(aside);
     }
     return finish_bound(kept, 3, status);
+}
+
+static const wanted_t wanted_rover_gps_value[] = {
+    {NPY_DOUBLE, 8, false, 1, {22}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+};
+
+static PyObject *call_rover_gps_value(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_rover_gps_value, 1, 0, 1, 1};
+    PyObject *arrays[1];
+    taken_t taken[2];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)rover_gps_value(
+        taken[0].at, taken[1].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
+static const wanted_t wanted_rover_gps_jacobian[] = {
+    {NPY_DOUBLE, 8, false, 1, {22}},
+    {NPY_DOUBLE, 8, true, 2, {3, 21}},
+};
+
+static PyObject *call_rover_gps_jacobian(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_rover_gps_jacobian, 1, 0, 1, 1};
+    PyObject *arrays[1];
+    taken_t taken[2];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)rover_gps_jacobian(
+        taken[0].at, taken[1].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
+static const wanted_t wanted_rover_gps_nz[] = {
+    {NPY_DOUBLE, 8, false, 1, {22}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {21}},
+};
+
+static PyObject *call_rover_gps_nz(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_rover_gps_nz, 1, 1, 1, 2};
+    PyObject *arrays[2];
+    taken_t taken[3];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)rover_gps_nz(
+        taken[0].at, taken[1].at, taken[2].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
 }
 
 static const wanted_t wanted_rover_range[] = {
@@ -415,14 +500,14 @@ static PyObject *call_rover_range(
     Py_ssize_t count)
 {
     static const call_t call = {
-        wanted_rover_range, 9, 3, 4};
-    PyObject *results[4];
+        wanted_rover_range, 9, 0, 3, 4};
+    PyObject *arrays[4];
     taken_t taken[13];
     extent_t extent;
     PyThreadState *aside;
     int32_t status;
 
-    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
         Py_RETURN_NONE;
     }
     aside = step_aside(&extent);
@@ -431,7 +516,7 @@ static PyObject *call_rover_range(
         taken[5].at, taken[6].at, taken[7].at, taken[8].at, taken[9].at, taken[10].at,
         taken[11].at, taken[12].at);
     step_back(aside);
-    return finish(&call, kept, results, status);
+    return finish(&call, kept, arrays, status);
 }
 
 static PyObject *bound_rover_range(PyObject *kept, PyObject *nothing)
@@ -454,6 +539,84 @@ static PyObject *bound_rover_range(PyObject *kept, PyObject *nothing)
     return finish_bound(kept, 13, status);
 }
 
+static const wanted_t wanted_rover_range_value[] = {
+    {NPY_DOUBLE, 8, false, 1, {22}},
+    {NPY_DOUBLE, 8, false, 1, {4}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_INT32, 4, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, true, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, true, 1, {ITEMS}},
+    {NPY_UINT8, 1, true, 1, {ITEMS}},
+};
+
+static PyObject *call_rover_range_value(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_rover_range_value, 9, 0, 2, 3};
+    PyObject *arrays[3];
+    taken_t taken[12];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)rover_range_value(
+        taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
+        taken[5].at, taken[6].at, taken[7].at, taken[8].at, taken[9].at, taken[10].at,
+        taken[11].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
+static const wanted_t wanted_rover_range_jacobian[] = {
+    {NPY_DOUBLE, 8, false, 1, {22}},
+    {NPY_DOUBLE, 8, false, 1, {4}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_INT32, 4, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, true, 2, {ITEMS, 21}},
+    {NPY_UINT8, 1, true, 1, {ITEMS}},
+};
+
+static PyObject *call_rover_range_jacobian(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_rover_range_jacobian, 9, 0, 1, 2};
+    PyObject *arrays[2];
+    taken_t taken[11];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)rover_range_jacobian(
+        taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
+        taken[5].at, taken[6].at, taken[7].at, taken[8].at, taken[9].at, taken[10].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
 static const wanted_t wanted_rover_imu[] = {
     {NPY_DOUBLE, 8, false, 1, {22}},
     {NPY_DOUBLE, 8, false, 1, {6}},
@@ -469,21 +632,21 @@ static PyObject *call_rover_imu(
     Py_ssize_t count)
 {
     static const call_t call = {
-        wanted_rover_imu, 4, 2, 2};
-    PyObject *results[2];
+        wanted_rover_imu, 4, 0, 2, 2};
+    PyObject *arrays[2];
     taken_t taken[6];
     extent_t extent;
     PyThreadState *aside;
     int32_t status;
 
-    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
         Py_RETURN_NONE;
     }
     aside = step_aside(&extent);
     status = (int32_t)rover_imu(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at);
     step_back(aside);
-    return finish(&call, kept, results, status);
+    return finish(&call, kept, arrays, status);
 }
 
 static PyObject *bound_rover_imu(PyObject *kept, PyObject *nothing)
@@ -504,6 +667,100 @@ static PyObject *bound_rover_imu(PyObject *kept, PyObject *nothing)
     return finish_bound(kept, 6, status);
 }
 
+static const wanted_t wanted_rover_imu_value[] = {
+    {NPY_DOUBLE, 8, false, 1, {22}},
+    {NPY_DOUBLE, 8, false, 1, {6}},
+    {NPY_DOUBLE, 8, false, 1, {6}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+};
+
+static PyObject *call_rover_imu_value(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_rover_imu_value, 4, 0, 1, 1};
+    PyObject *arrays[1];
+    taken_t taken[5];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)rover_imu_value(
+        taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
+static const wanted_t wanted_rover_imu_jacobian[] = {
+    {NPY_DOUBLE, 8, false, 1, {22}},
+    {NPY_DOUBLE, 8, false, 1, {6}},
+    {NPY_DOUBLE, 8, false, 1, {6}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, true, 2, {3, 21}},
+};
+
+static PyObject *call_rover_imu_jacobian(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_rover_imu_jacobian, 4, 0, 1, 1};
+    PyObject *arrays[1];
+    taken_t taken[5];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)rover_imu_jacobian(
+        taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
+static const wanted_t wanted_rover_imu_nz[] = {
+    {NPY_DOUBLE, 8, false, 1, {22}},
+    {NPY_DOUBLE, 8, false, 1, {6}},
+    {NPY_DOUBLE, 8, false, 1, {6}},
+    {NPY_DOUBLE, 8, false, 0, {0}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {27}},
+};
+
+static PyObject *call_rover_imu_nz(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_rover_imu_nz, 4, 1, 1, 2};
+    PyObject *arrays[2];
+    taken_t taken[6];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)rover_imu_nz(
+        taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
 int32_t straight_rover__open(uintptr_t list, const char *name)
 {
     static PyMethodDef methods[] = {
@@ -516,13 +773,29 @@ int32_t straight_rover__open(uintptr_t list, const char *name)
         {"gps", (PyCFunction)(void (*)(void))call_rover_gps,
          METH_FASTCALL, NULL},
         {"gps.bind", bound_rover_gps, METH_NOARGS, NULL},
+        {"gps.value", (PyCFunction)(void (*)(void))call_rover_gps_value,
+         METH_FASTCALL, NULL},
+        {"gps.jacobian", (PyCFunction)(void (*)(void))call_rover_gps_jacobian,
+         METH_FASTCALL, NULL},
+        {"gps.nonzeros", (PyCFunction)(void (*)(void))call_rover_gps_nz,
+         METH_FASTCALL, NULL},
         {"range", (PyCFunction)(void (*)(void))call_rover_range,
          METH_FASTCALL, NULL},
         {"range.bind", bound_rover_range, METH_NOARGS, NULL},
+        {"range.value", (PyCFunction)(void (*)(void))call_rover_range_value,
+         METH_FASTCALL, NULL},
+        {"range.jacobian", (PyCFunction)(void (*)(void))call_rover_range_jacobian,
+         METH_FASTCALL, NULL},
         {"imu", (PyCFunction)(void (*)(void))call_rover_imu,
          METH_FASTCALL, NULL},
         {"imu.bind", bound_rover_imu, METH_NOARGS, NULL},
+        {"imu.value", (PyCFunction)(void (*)(void))call_rover_imu_value,
+         METH_FASTCALL, NULL},
+        {"imu.jacobian", (PyCFunction)(void (*)(void))call_rover_imu_jacobian,
+         METH_FASTCALL, NULL},
+        {"imu.nonzeros", (PyCFunction)(void (*)(void))call_rover_imu_nz,
+         METH_FASTCALL, NULL},
     };
 
-    return open_call(list, name, methods, 10);
+    return open_call(list, name, methods, (int)(sizeof methods / sizeof methods[0]));
 }

@@ -271,21 +271,21 @@ static PyObject *call_single_point_retract(
     Py_ssize_t count)
 {
     static const call_t call = {
-        wanted_single_point_retract, 2, 1, 1};
-    PyObject *results[1];
+        wanted_single_point_retract, 2, 0, 1, 1};
+    PyObject *arrays[1];
     taken_t taken[3];
     extent_t extent;
     PyThreadState *aside;
     int32_t status;
 
-    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
         Py_RETURN_NONE;
     }
     aside = step_aside(&extent);
     status = (int32_t)single_point_retract(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, results, status);
+    return finish(&call, kept, arrays, status);
 }
 
 static PyObject *bound_single_point_retract(PyObject *kept, PyObject *nothing)
@@ -318,21 +318,21 @@ static PyObject *call_single_point_local(
     Py_ssize_t count)
 {
     static const call_t call = {
-        wanted_single_point_local, 2, 1, 1};
-    PyObject *results[1];
+        wanted_single_point_local, 2, 0, 1, 1};
+    PyObject *arrays[1];
     taken_t taken[3];
     extent_t extent;
     PyThreadState *aside;
     int32_t status;
 
-    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
         Py_RETURN_NONE;
     }
     aside = step_aside(&extent);
     status = (int32_t)single_point_local(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, results, status);
+    return finish(&call, kept, arrays, status);
 }
 
 static PyObject *bound_single_point_local(PyObject *kept, PyObject *nothing)
@@ -370,14 +370,14 @@ static PyObject *call_single_point_pseudorange(
     Py_ssize_t count)
 {
     static const call_t call = {
-        wanted_single_point_pseudorange, 5, 2, 3};
-    PyObject *results[3];
+        wanted_single_point_pseudorange, 5, 0, 2, 3};
+    PyObject *arrays[3];
     taken_t taken[8];
     extent_t extent;
     PyThreadState *aside;
     int32_t status;
 
-    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
         Py_RETURN_NONE;
     }
     aside = step_aside(&extent);
@@ -385,7 +385,7 @@ static PyObject *call_single_point_pseudorange(
         taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
         taken[5].at, taken[6].at, taken[7].at);
     step_back(aside);
-    return finish(&call, kept, results, status);
+    return finish(&call, kept, arrays, status);
 }
 
 static PyObject *bound_single_point_pseudorange(PyObject *kept, PyObject *nothing)
@@ -407,6 +407,74 @@ static PyObject *bound_single_point_pseudorange(PyObject *kept, PyObject *nothin
     return finish_bound(kept, 8, status);
 }
 
+static const wanted_t wanted_single_point_pseudorange_value[] = {
+    {NPY_DOUBLE, 8, false, 1, {4}},
+    {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, true, 1, {ITEMS}},
+    {NPY_UINT8, 1, true, 1, {ITEMS}},
+};
+
+static PyObject *call_single_point_pseudorange_value(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_single_point_pseudorange_value, 5, 0, 1, 2};
+    PyObject *arrays[2];
+    taken_t taken[7];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)single_point_pseudorange_value(
+        taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
+        taken[5].at, taken[6].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
+static const wanted_t wanted_single_point_pseudorange_jacobian[] = {
+    {NPY_DOUBLE, 8, false, 1, {4}},
+    {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, true, 2, {ITEMS, 4}},
+    {NPY_UINT8, 1, true, 1, {ITEMS}},
+};
+
+static PyObject *call_single_point_pseudorange_jacobian(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_single_point_pseudorange_jacobian, 5, 0, 1, 2};
+    PyObject *arrays[2];
+    taken_t taken[7];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)single_point_pseudorange_jacobian(
+        taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
+        taken[5].at, taken[6].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
 static const wanted_t wanted_single_point_pseudorange_without_sagnac[] = {
     {NPY_DOUBLE, 8, false, 1, {4}},
     {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
@@ -424,14 +492,14 @@ static PyObject *call_single_point_pseudorange_without_sagnac(
     Py_ssize_t count)
 {
     static const call_t call = {
-        wanted_single_point_pseudorange_without_sagnac, 5, 2, 3};
-    PyObject *results[3];
+        wanted_single_point_pseudorange_without_sagnac, 5, 0, 2, 3};
+    PyObject *arrays[3];
     taken_t taken[8];
     extent_t extent;
     PyThreadState *aside;
     int32_t status;
 
-    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
         Py_RETURN_NONE;
     }
     aside = step_aside(&extent);
@@ -439,7 +507,7 @@ static PyObject *call_single_point_pseudorange_without_sagnac(
         taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
         taken[5].at, taken[6].at, taken[7].at);
     step_back(aside);
-    return finish(&call, kept, results, status);
+    return finish(&call, kept, arrays, status);
 }
 
 static PyObject *bound_single_point_pseudorange_without_sagnac(PyObject *kept, PyObject *nothing)
@@ -459,6 +527,74 @@ static PyObject *bound_single_point_pseudorange_without_sagnac(PyObject *kept, P
         step_back(aside);
     }
     return finish_bound(kept, 8, status);
+}
+
+static const wanted_t wanted_single_point_pseudorange_without_sagnac_value[] = {
+    {NPY_DOUBLE, 8, false, 1, {4}},
+    {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, true, 1, {ITEMS}},
+    {NPY_UINT8, 1, true, 1, {ITEMS}},
+};
+
+static PyObject *call_single_point_pseudorange_without_sagnac_value(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_single_point_pseudorange_without_sagnac_value, 5, 0, 1, 2};
+    PyObject *arrays[2];
+    taken_t taken[7];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)single_point_pseudorange_without_sagnac_value(
+        taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
+        taken[5].at, taken[6].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
+static const wanted_t wanted_single_point_pseudorange_without_sagnac_jacobian[] = {
+    {NPY_DOUBLE, 8, false, 1, {4}},
+    {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, true, 2, {ITEMS, 4}},
+    {NPY_UINT8, 1, true, 1, {ITEMS}},
+};
+
+static PyObject *call_single_point_pseudorange_without_sagnac_jacobian(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_single_point_pseudorange_without_sagnac_jacobian, 5, 0, 1, 2};
+    PyObject *arrays[2];
+    taken_t taken[7];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)single_point_pseudorange_without_sagnac_jacobian(
+        taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
+        taken[5].at, taken[6].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
 }
 
 static const wanted_t wanted_single_point_broadcast_orbit[] = {
@@ -496,14 +632,14 @@ static PyObject *call_single_point_broadcast_orbit(
     Py_ssize_t count)
 {
     static const call_t call = {
-        wanted_single_point_broadcast_orbit, 22, 4, 4};
-    PyObject *results[4];
+        wanted_single_point_broadcast_orbit, 22, 0, 4, 4};
+    PyObject *arrays[4];
     taken_t taken[26];
     extent_t extent;
     PyThreadState *aside;
     int32_t status;
 
-    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
         Py_RETURN_NONE;
     }
     aside = step_aside(&extent);
@@ -514,7 +650,7 @@ static PyObject *call_single_point_broadcast_orbit(
         taken[18].at, taken[19].at, taken[20].at, taken[21].at, taken[22].at, taken[23].at,
         taken[24].at, taken[25].at);
     step_back(aside);
-    return finish(&call, kept, results, status);
+    return finish(&call, kept, arrays, status);
 }
 
 static PyObject *bound_single_point_broadcast_orbit(PyObject *kept, PyObject *nothing)
@@ -551,13 +687,21 @@ int32_t straight_single_point__open(uintptr_t list, const char *name)
         {"pseudorange", (PyCFunction)(void (*)(void))call_single_point_pseudorange,
          METH_FASTCALL, NULL},
         {"pseudorange.bind", bound_single_point_pseudorange, METH_NOARGS, NULL},
+        {"pseudorange.value", (PyCFunction)(void (*)(void))call_single_point_pseudorange_value,
+         METH_FASTCALL, NULL},
+        {"pseudorange.jacobian", (PyCFunction)(void (*)(void))call_single_point_pseudorange_jacobian,
+         METH_FASTCALL, NULL},
         {"pseudorange_without_sagnac", (PyCFunction)(void (*)(void))call_single_point_pseudorange_without_sagnac,
          METH_FASTCALL, NULL},
         {"pseudorange_without_sagnac.bind", bound_single_point_pseudorange_without_sagnac, METH_NOARGS, NULL},
+        {"pseudorange_without_sagnac.value", (PyCFunction)(void (*)(void))call_single_point_pseudorange_without_sagnac_value,
+         METH_FASTCALL, NULL},
+        {"pseudorange_without_sagnac.jacobian", (PyCFunction)(void (*)(void))call_single_point_pseudorange_without_sagnac_jacobian,
+         METH_FASTCALL, NULL},
         {"broadcast_orbit", (PyCFunction)(void (*)(void))call_single_point_broadcast_orbit,
          METH_FASTCALL, NULL},
         {"broadcast_orbit.bind", bound_single_point_broadcast_orbit, METH_NOARGS, NULL},
     };
 
-    return open_call(list, name, methods, 10);
+    return open_call(list, name, methods, (int)(sizeof methods / sizeof methods[0]));
 }

@@ -8,7 +8,7 @@
  *   NumPy's arrays, then inputs, then outputs. Its owner keeps it alive during the call. Nothing of
  *   Python is changed, no reference is counted, so that other threads may go on meanwhile.
  * - A call of Python's for one epoch is given inputs and, as `out`, None or what holds arrays for
- *   its outputs. It makes what it was not given and returns the result, or None. A bound call keeps
+ *   its outputs. It makes what it was not given and returns its result, or None. A bound call keeps
  *   a tuple of everything and is given nothing.
  *
  * Part of the extension for Python, not of the exported C.
@@ -223,8 +223,8 @@ static inline bool has_epochs(const extent_t *extent, int32_t first, int32_t cou
     return (first >= 0) && (count >= 0) && ((npy_intp)first + count <= extent->epochs);
 }
 
-/* What a call of Python's keeps, in a tuple: the type of NumPy's arrays, that of its result, and
-   the status of what went well. */
+/* What a call of Python's keeps, in a tuple: the type of NumPy's arrays, that of its result (or
+   None for outputs alone), and the status of what went well. */
 enum { ARRAY_TYPE, RESULT_TYPE, WENT_WELL };
 
 /* What a bound call keeps behind everything it takes: its result, and what is called with the
@@ -234,12 +234,14 @@ enum { BOUND_RESULT, OTHERWISE, BOUND_MORE };
 /* More items than that are evaluated while other threads run. */
 enum { MANY_ITEMS = 256 };
 
-/* What a call wants: inputs, then outputs, then what only its result has. */
+/* What a call wants: inputs, then what its entry point writes: outputs that nobody asked for, those
+   that a caller may give, and statuses of items, which only results of a type of their own have. */
 typedef struct {
     const wanted_t *wanted;
     int inputs;
+    int idle;
     int outputs;
-    int results; /* outputs and what only the result has */
+    int written; /* all of them */
 } call_t;
 
 /* A new array as it is wanted. */
@@ -254,33 +256,41 @@ static PyObject *make_array(const wanted_t *wanted, const extent_t *extent, take
     array = PyArray_SimpleNew(wanted->rank, shape, wanted->kind);
     if (array != NULL) {
         taken->at = PyArray_DATA((PyArrayObject *)array);
+        taken->bytes = 0; /* of memory that nobody else has */
     }
     return array;
 }
 
-/* Nothing for Python, which then takes the general way and says what is wrong. */
-static PyObject *decline(PyObject *const results[], int count)
+/* Let go of arrays. */
+static void release(PyObject *const arrays[], int first, int end)
 {
-    for (int place = 0; place < count; ++place) {
-        Py_DECREF(results[place]);
+    for (int place = first; place < end; ++place) {
+        Py_DECREF(arrays[place]);
     }
+}
+
+/* Nothing for Python, which then takes the general way and says what is wrong. */
+static PyObject *decline(PyObject *const arrays[], int count)
+{
+    release(arrays, 0, count);
     PyErr_Clear();
     Py_RETURN_NONE;
 }
 
 /* The arrays that `out` holds, one, several or a result; nothing where it holds another number. */
-static PyObject *const *held_by(PyObject *const *out, const PyTypeObject *type, const call_t *call)
+static PyObject *const *held_by(PyObject *const *out, PyObject *kept, const call_t *call)
 {
+    const PyTypeObject *const type = (PyTypeObject *)PyTuple_GET_ITEM(kept, ARRAY_TYPE);
+    const bool plain = PyTuple_GET_ITEM(kept, RESULT_TYPE) == Py_None;
     PyObject *const *arrays = NULL;
 
     if (Py_TYPE(*out) == type) {
         arrays = (call->outputs == 1) ? out : NULL;
     } else if (PyTuple_Check(*out) || PyList_Check(*out)) {
         const Py_ssize_t size = PySequence_Fast_GET_SIZE(*out);
+        const bool whole = !plain && (size == (call->written + 1));
 
-        arrays = ((size == call->outputs) || (size == (call->results + 1)))
-            ? PySequence_Fast_ITEMS(*out)
-            : NULL;
+        arrays = (whole || (size == call->outputs)) ? PySequence_Fast_ITEMS(*out) : NULL;
     }
     return arrays;
 }
@@ -291,60 +301,82 @@ static bool begin(
     PyObject *kept,
     PyObject *const given[],
     Py_ssize_t count,
-    PyObject *results[],
+    PyObject *arrays[],
     taken_t taken[],
     extent_t *extent)
 {
     const PyTypeObject *const type = (PyTypeObject *)PyTuple_GET_ITEM(kept, ARRAY_TYPE);
-    const int end = call->inputs + call->outputs;
     PyObject *const *held = NULL;
+    bool fits = count == (call->inputs + 1);
 
     extent->epochs = -1;
     extent->items = -1;
-    if ((count != (call->inputs + 1))
-        || !take_more(type, given, call->wanted, 0, call->inputs, false, extent, taken)) {
+    if (fits && (given[call->inputs] != Py_None)) {
+        held = held_by(&given[call->inputs], kept, call);
+        fits = held != NULL;
+    }
+    if (!fits || !take_more(type, given, call->wanted, 0, call->inputs, false, extent, taken)) {
         return false;
     }
-    if (given[call->inputs] != Py_None) {
-        held = held_by(&given[call->inputs], type, call);
-        if ((held == NULL)
-            || !take_more(type, held, call->wanted, call->inputs, end, false, extent, taken)) {
-            return false;
-        }
-    }
-    for (int made = 0; made < call->results; ++made) {
+    for (int made = 0; made < call->written; ++made) {
         const int place = call->inputs + made;
+        const int output = made - call->idle;
 
-        if ((held != NULL) && (made < call->outputs)) {
-            results[made] = held[made];
-            Py_INCREF(results[made]);
+        if ((held != NULL) && (output >= 0) && (output < call->outputs)) {
+            fits = take_more(
+                type, &held[output], call->wanted, place, place + 1, false, extent, taken);
+            arrays[made] = fits ? held[output] : NULL;
+            Py_XINCREF(arrays[made]);
         } else {
-            results[made] = make_array(&call->wanted[place], extent, &taken[place]);
+            arrays[made] = make_array(&call->wanted[place], extent, &taken[place]);
         }
-        if (results[made] == NULL) {
-            Py_DECREF(decline(results, made));
+        if (arrays[made] == NULL) {
+            Py_DECREF(decline(arrays, made));
             return false;
         }
     }
     return true;
 }
 
-/* The result of a call that went well, of its own type; it owns the arrays from now on. */
+/* Outputs alone: the array, or a tuple of arrays, which owns them from now on. */
+static PyObject *finish_plain(const call_t *call, PyObject *const arrays[])
+{
+    PyObject *const *const outputs = &arrays[call->idle];
+    PyObject *result = (call->outputs == 1) ? outputs[0] : PyTuple_New(call->outputs);
+
+    if (result == NULL) {
+        return decline(arrays, call->written);
+    }
+    for (int place = 0; (call->outputs > 1) && (place < call->outputs); ++place) {
+        PyTuple_SET_ITEM(result, place, outputs[place]);
+    }
+    release(arrays, 0, call->idle);
+    release(arrays, call->idle + call->outputs, call->written);
+    return result;
+}
+
+/* The result of a call that went well, which owns the arrays from now on. */
 static PyObject *finish(
     const call_t *call,
     PyObject *kept,
-    PyObject *const results[],
+    PyObject *const arrays[],
     int32_t status)
 {
     PyTypeObject *const type = (PyTypeObject *)PyTuple_GET_ITEM(kept, RESULT_TYPE);
     PyObject *const well = PyTuple_GET_ITEM(kept, WENT_WELL);
-    PyObject *const result = (status == 0) ? type->tp_alloc(type, call->results + 1) : NULL;
+    PyObject *result = NULL;
 
-    if (result == NULL) {
-        return decline(results, call->results);
+    if ((status == 0) && ((PyObject *)type == Py_None)) {
+        return finish_plain(call, arrays);
     }
-    for (int place = 0; place < call->results; ++place) {
-        PyTuple_SET_ITEM(result, place + (place >= call->outputs), results[place]);
+    if (status == 0) {
+        result = type->tp_alloc(type, call->written + 1);
+    }
+    if (result == NULL) {
+        return decline(arrays, call->written);
+    }
+    for (int place = 0; place < call->written; ++place) {
+        PyTuple_SET_ITEM(result, place + (place >= call->outputs), arrays[place]);
     }
     Py_INCREF(well);
     PyTuple_SET_ITEM(result, call->outputs, well);

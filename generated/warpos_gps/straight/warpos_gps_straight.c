@@ -304,21 +304,21 @@ static PyObject *call_warpos_gps_retract(
     Py_ssize_t count)
 {
     static const call_t call = {
-        wanted_warpos_gps_retract, 2, 1, 1};
-    PyObject *results[1];
+        wanted_warpos_gps_retract, 2, 0, 1, 1};
+    PyObject *arrays[1];
     taken_t taken[3];
     extent_t extent;
     PyThreadState *aside;
     int32_t status;
 
-    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
         Py_RETURN_NONE;
     }
     aside = step_aside(&extent);
     status = (int32_t)warpos_gps_retract(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, results, status);
+    return finish(&call, kept, arrays, status);
 }
 
 static PyObject *bound_warpos_gps_retract(PyObject *kept, PyObject *nothing)
@@ -351,21 +351,21 @@ static PyObject *call_warpos_gps_local(
     Py_ssize_t count)
 {
     static const call_t call = {
-        wanted_warpos_gps_local, 2, 1, 1};
-    PyObject *results[1];
+        wanted_warpos_gps_local, 2, 0, 1, 1};
+    PyObject *arrays[1];
     taken_t taken[3];
     extent_t extent;
     PyThreadState *aside;
     int32_t status;
 
-    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
         Py_RETURN_NONE;
     }
     aside = step_aside(&extent);
     status = (int32_t)warpos_gps_local(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, results, status);
+    return finish(&call, kept, arrays, status);
 }
 
 static PyObject *bound_warpos_gps_local(PyObject *kept, PyObject *nothing)
@@ -398,21 +398,21 @@ static PyObject *call_warpos_gps_measurement(
     Py_ssize_t count)
 {
     static const call_t call = {
-        wanted_warpos_gps_measurement, 1, 2, 2};
-    PyObject *results[2];
+        wanted_warpos_gps_measurement, 1, 0, 2, 2};
+    PyObject *arrays[2];
     taken_t taken[3];
     extent_t extent;
     PyThreadState *aside;
     int32_t status;
 
-    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
         Py_RETURN_NONE;
     }
     aside = step_aside(&extent);
     status = (int32_t)warpos_gps_measurement(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, results, status);
+    return finish(&call, kept, arrays, status);
 }
 
 static PyObject *bound_warpos_gps_measurement(PyObject *kept, PyObject *nothing)
@@ -433,6 +433,91 @@ static PyObject *bound_warpos_gps_measurement(PyObject *kept, PyObject *nothing)
     return finish_bound(kept, 3, status);
 }
 
+static const wanted_t wanted_warpos_gps_measurement_value[] = {
+    {NPY_DOUBLE, 8, false, 1, {15}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+};
+
+static PyObject *call_warpos_gps_measurement_value(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_warpos_gps_measurement_value, 1, 0, 1, 1};
+    PyObject *arrays[1];
+    taken_t taken[2];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)warpos_gps_measurement_value(
+        taken[0].at, taken[1].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
+static const wanted_t wanted_warpos_gps_measurement_jacobian[] = {
+    {NPY_DOUBLE, 8, false, 1, {15}},
+    {NPY_DOUBLE, 8, true, 2, {3, 15}},
+};
+
+static PyObject *call_warpos_gps_measurement_jacobian(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_warpos_gps_measurement_jacobian, 1, 0, 1, 1};
+    PyObject *arrays[1];
+    taken_t taken[2];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)warpos_gps_measurement_jacobian(
+        taken[0].at, taken[1].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
+static const wanted_t wanted_warpos_gps_measurement_nz[] = {
+    {NPY_DOUBLE, 8, false, 1, {15}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+};
+
+static PyObject *call_warpos_gps_measurement_nz(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_warpos_gps_measurement_nz, 1, 1, 1, 2};
+    PyObject *arrays[2];
+    taken_t taken[3];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)warpos_gps_measurement_nz(
+        taken[0].at, taken[1].at, taken[2].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
 static const wanted_t wanted_warpos_gps_observed[] = {
     {NPY_DOUBLE, 8, false, 1, {15}},
     {NPY_DOUBLE, 8, false, 1, {4}},
@@ -446,21 +531,21 @@ static PyObject *call_warpos_gps_observed(
     Py_ssize_t count)
 {
     static const call_t call = {
-        wanted_warpos_gps_observed, 2, 2, 2};
-    PyObject *results[2];
+        wanted_warpos_gps_observed, 2, 0, 2, 2};
+    PyObject *arrays[2];
     taken_t taken[4];
     extent_t extent;
     PyThreadState *aside;
     int32_t status;
 
-    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
         Py_RETURN_NONE;
     }
     aside = step_aside(&extent);
     status = (int32_t)warpos_gps_observed(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at);
     step_back(aside);
-    return finish(&call, kept, results, status);
+    return finish(&call, kept, arrays, status);
 }
 
 static PyObject *bound_warpos_gps_observed(PyObject *kept, PyObject *nothing)
@@ -481,6 +566,94 @@ static PyObject *bound_warpos_gps_observed(PyObject *kept, PyObject *nothing)
     return finish_bound(kept, 4, status);
 }
 
+static const wanted_t wanted_warpos_gps_observed_value[] = {
+    {NPY_DOUBLE, 8, false, 1, {15}},
+    {NPY_DOUBLE, 8, false, 1, {4}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+};
+
+static PyObject *call_warpos_gps_observed_value(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_warpos_gps_observed_value, 2, 0, 1, 1};
+    PyObject *arrays[1];
+    taken_t taken[3];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)warpos_gps_observed_value(
+        taken[0].at, taken[1].at, taken[2].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
+static const wanted_t wanted_warpos_gps_observed_jacobian[] = {
+    {NPY_DOUBLE, 8, false, 1, {15}},
+    {NPY_DOUBLE, 8, false, 1, {4}},
+    {NPY_DOUBLE, 8, true, 2, {3, 15}},
+};
+
+static PyObject *call_warpos_gps_observed_jacobian(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_warpos_gps_observed_jacobian, 2, 0, 1, 1};
+    PyObject *arrays[1];
+    taken_t taken[3];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)warpos_gps_observed_jacobian(
+        taken[0].at, taken[1].at, taken[2].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
+static const wanted_t wanted_warpos_gps_observed_nz[] = {
+    {NPY_DOUBLE, 8, false, 1, {15}},
+    {NPY_DOUBLE, 8, false, 1, {4}},
+    {NPY_DOUBLE, 8, true, 1, {3}},
+    {NPY_DOUBLE, 8, true, 1, {9}},
+};
+
+static PyObject *call_warpos_gps_observed_nz(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_warpos_gps_observed_nz, 2, 1, 1, 2};
+    PyObject *arrays[2];
+    taken_t taken[4];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)warpos_gps_observed_nz(
+        taken[0].at, taken[1].at, taken[2].at, taken[3].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status);
+}
+
 static const wanted_t wanted_warpos_gps_to_state_frame[] = {
     {NPY_DOUBLE, 8, false, 1, {4}},
     {NPY_DOUBLE, 8, false, 1, {3}},
@@ -498,14 +671,14 @@ static PyObject *call_warpos_gps_to_state_frame(
     Py_ssize_t count)
 {
     static const call_t call = {
-        wanted_warpos_gps_to_state_frame, 6, 2, 2};
-    PyObject *results[2];
+        wanted_warpos_gps_to_state_frame, 6, 0, 2, 2};
+    PyObject *arrays[2];
     taken_t taken[8];
     extent_t extent;
     PyThreadState *aside;
     int32_t status;
 
-    if (!begin(&call, kept, given, count, results, taken, &extent)) {
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
         Py_RETURN_NONE;
     }
     aside = step_aside(&extent);
@@ -513,7 +686,7 @@ static PyObject *call_warpos_gps_to_state_frame(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
         taken[6].at, taken[7].at);
     step_back(aside);
-    return finish(&call, kept, results, status);
+    return finish(&call, kept, arrays, status);
 }
 
 static PyObject *bound_warpos_gps_to_state_frame(PyObject *kept, PyObject *nothing)
@@ -547,13 +720,25 @@ int32_t straight_warpos_gps__open(uintptr_t list, const char *name)
         {"measurement", (PyCFunction)(void (*)(void))call_warpos_gps_measurement,
          METH_FASTCALL, NULL},
         {"measurement.bind", bound_warpos_gps_measurement, METH_NOARGS, NULL},
+        {"measurement.value", (PyCFunction)(void (*)(void))call_warpos_gps_measurement_value,
+         METH_FASTCALL, NULL},
+        {"measurement.jacobian", (PyCFunction)(void (*)(void))call_warpos_gps_measurement_jacobian,
+         METH_FASTCALL, NULL},
+        {"measurement.nonzeros", (PyCFunction)(void (*)(void))call_warpos_gps_measurement_nz,
+         METH_FASTCALL, NULL},
         {"observed", (PyCFunction)(void (*)(void))call_warpos_gps_observed,
          METH_FASTCALL, NULL},
         {"observed.bind", bound_warpos_gps_observed, METH_NOARGS, NULL},
+        {"observed.value", (PyCFunction)(void (*)(void))call_warpos_gps_observed_value,
+         METH_FASTCALL, NULL},
+        {"observed.jacobian", (PyCFunction)(void (*)(void))call_warpos_gps_observed_jacobian,
+         METH_FASTCALL, NULL},
+        {"observed.nonzeros", (PyCFunction)(void (*)(void))call_warpos_gps_observed_nz,
+         METH_FASTCALL, NULL},
         {"to_state_frame", (PyCFunction)(void (*)(void))call_warpos_gps_to_state_frame,
          METH_FASTCALL, NULL},
         {"to_state_frame.bind", bound_warpos_gps_to_state_frame, METH_NOARGS, NULL},
     };
 
-    return open_call(list, name, methods, 10);
+    return open_call(list, name, methods, (int)(sizeof methods / sizeof methods[0]));
 }

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from symnav import ir
-from symnav.emit.python.shapes import is_jacobian, is_scalar, jacobians
+from symnav.emit.python.shapes import is_jacobian, is_scalar, jacobians, values
 from symnav.emit.templates import plain, render
 
 _WIDTH = 96  # some are indented once more
@@ -20,35 +20,38 @@ _WIDTH = 96  # some are indented once more
 
 @dataclass(frozen=True, slots=True)
 class Way:
-    """One of the functions.
+    """A straight way to one entry point.
 
     Attributes:
-        name: of the function.
-        entry: the entry point it leads to.
+        name: of the form: ``gps``, ``gps.value``, ``gps.jacobian`` or ``gps.nonzeros``.
+        entry: the entry point.
+        joint: True when it gives all outputs in full.
         inputs: how many rows of the table are inputs.
-        outputs: how many after them a caller may give.
+        idle: how many outputs after them no caller asked for.
+        outputs: how many after those a caller may give.
         wanted: rows of the table of what must come in.
         passed: lines of what the entry point is given.
     """
 
     name: str
     entry: str
+    joint: bool
     inputs: int
+    idle: int
     outputs: int
     wanted: tuple[str, ...]
     passed: tuple[str, ...]
 
     @property
-    def results(self) -> int:
-        """How many arrays the result has."""
+    def written(self) -> int:
+        """How many arrays the entry point writes to."""
         return len(self.wanted) - self.inputs
 
 
 def sources(module: ir.Module) -> dict[str, str]:
     """The C of a module's straight ways, by path."""
-    once = [f for f in module.functions if has_epoch(f)]
     ways = {
-        "calls": [_way(module, f, "", f.outputs) for f in once],
+        "calls": [way for f in module.functions for way in _calls(module, f)],
         "batches": [way for f in module.functions for way in _batches(module, f)],
     }
     stem = f"straight/{module.name}_straight"
@@ -64,7 +67,23 @@ def has_epoch(function: ir.Function) -> bool:
     return not function.column_major
 
 
+def _calls(module: ir.Module, function: ir.Function) -> Iterator[Way]:
+    """One epoch: all outputs, and parts of them where they have entry points of their own."""
+    if not has_epoch(function):
+        return
+    yield _way(module, function, "", function.outputs)
+    one, other = values(function), jacobians(function)
+    if one and other:
+        yield _way(module, function, "_value", one, form=".value")
+        yield _way(module, function, "_jacobian", other, form=".jacobian")
+    # Non-zeros of items lie in columns as long as the most items, which nobody wants to be given.
+    stored = other and all(o.entries for o in other) and function.outputs == (*one, *other)
+    if stored and function.maximum is None:
+        yield _way(module, function, "_nz", function.outputs, form=".nonzeros", idle=len(one))
+
+
 def _batches(module: ir.Module, function: ir.Function) -> Iterator[Way]:
+    """Many epochs: all outputs in full, and with non-zeros of Jacobians."""
     yield _way(module, function, "_batch", function.outputs)
     if any(output.entries for output in jacobians(function)):
         stored = [o for o in function.outputs if o.entries or not is_jacobian(o)]
@@ -72,10 +91,16 @@ def _batches(module: ir.Module, function: ir.Function) -> Iterator[Way]:
 
 
 def _way(
-    module: ir.Module, function: ir.Function, suffix: str, outputs: Sequence[ir.Output]
+    module: ir.Module,
+    function: ir.Function,
+    suffix: str,
+    outputs: Sequence[ir.Output],
+    *,
+    form: str = "",
+    idle: int = 0,
 ) -> Way:
-    """A straight way to one entry point."""
-    mapped, many = function.maximum is not None, bool(suffix)
+    """The straight way to the entry point with a suffix, which writes some outputs."""
+    mapped, many = function.maximum is not None, suffix.startswith("_batch")
     real = ("NPY_DOUBLE", "8") if module.scalar is ir.Scalar.DOUBLE else ("NPY_FLOAT", "4")
     rows = []
     for argument in function.arguments:
@@ -87,12 +112,13 @@ def _way(
     byte = ("NPY_UINT8", "1")
     rows += [_row(byte, [], written=True)] if many else []
     rows += [_row(byte, ["ITEMS"], written=True)] if mapped else []
-    entry = f"{module.name}_{function.name}{suffix}"
     return Way(
-        name=function.name,
-        entry=entry,
+        name=function.name + form,
+        entry=f"{module.name}_{function.name}{suffix}",
+        joint=not form,
         inputs=len(function.arguments),
-        outputs=len(outputs),
+        idle=idle,
+        outputs=len(outputs) - idle,
         wanted=tuple(rows),
         passed=tuple(_passed(len(function.arguments), len(rows), mapped=mapped, many=many)),
     )
