@@ -140,7 +140,7 @@ def results(problem: Problem, epochs: tuple[int, ...]) -> tuple[Array, Array]:
 def one_epoch(
     problem: Problem, package: ModuleType, record: Array, folder: Path
 ) -> Iterator[tuple[str, Call]]:
-    """Bound, checked, into given arrays, by NumPy; and the rivals."""
+    """Bound, checked, into given arrays, values alone, by NumPy; and the rivals."""
     function = getattr(package, FUNCTION)
     x, given = arguments(problem, record)
     out = results(problem, ())
@@ -148,6 +148,7 @@ def one_epoch(
     yield "bound", function.bind(x, out=out, **given)
     yield "checked", as_written(function, x, given)
     yield "out", as_written(function, x, given, out=out)
+    yield "value", as_written(function.value, x, given)
     yield "cffi", by_hand(problem, package, x, given)
     yield "numpy", as_written(numpy, x, given)
     if problem.items <= 8:

@@ -265,47 +265,89 @@ model = "pseudorange"
 position = "p"
 clock_bias = "clock"
 satellite_position = "input"
-maximum = 6
+maximum = {maximum}
 difference = "single"
-items = "{items}"
+{more}
 """
 
 
 class TestSingleDifferences:
     """The differenced form is proven where a specification asks for it."""
 
-    @pytest.mark.parametrize("items", ["skip", "reject"])
-    def test_it_is_compared_with_rows(self, verify: Verify, items: str) -> None:
+    @pytest.mark.parametrize("more", ['items = "skip"', 'items = "reject"', 'order = "column"'])
+    def test_it_is_compared_with_rows(self, verify: Verify, more: str) -> None:
         """In both back ends, every output, to the last bit."""
-        told = verify(RANGES.format(items=items), "--samples", "20", "--json")
+        told = verify(RANGES.format(maximum=6, more=more), "--samples", "20", "--json")
         assert told.exit_code == 0, told.output
         rows = [row for row in json.loads(told.stdout)["rows"] if "vs rows" in row["comparison"]]
         found = {(row["comparison"].split()[0], row["block"]) for row in rows}
         assert found >= {(b, o) for b in ("native", "numpy") for o in ("value", "d/d p")}
         assert all(row["samples"] > 40 and row["absolute"] == 0.0 for row in rows)
-        assert "Single differences" in verify(RANGES.format(items=items), "--samples", "20").stdout
+        shown = verify(RANGES.format(maximum=6, more=more), "--samples", "20").stdout
+        assert (
+            "Single differences of C and NumPy, against differences of rows: range; 0.00" in shown
+        )
+
+    def test_nothing_to_subtract(self, verify: Verify) -> None:
+        """One item at most: no rows are left, and none are missed."""
+        assert verify(RANGES.format(maximum=1, more=""), "--samples", "8").exit_code == 0
+
+    def test_outside_of_the_domain_nothing_is_proven(self, verify: Verify) -> None:
+        """Code without guards has no verdict on items; the proof stays where there is a value."""
+        text = RANGES.format(maximum=6, more='guards = "assume"')
+        told = verify(text, "--samples", "40", "--json")
+        assert told.exit_code == 0, told.output
+        assert "outside the domain" in " ".join(json.loads(told.stdout)["notes"])
 
     @pytest.mark.parametrize(
         ("right", "wrong"),
         [
             ("nonzeros[0] - reference[0]", "nonzeros[0] + reference[0]"),
             ("(i < reference) ? i : (i - 1)", "(i < reference) ? (n - 2) : (i - 1)"),
-            ("const int32_t row = ", "const int32_t row = (reference == 0) ? 0 : "),
+            ("const int32_t row = ", "const int32_t row = (reference == 1) ? 0 : "),
+            ("const int32_t row = ", "const int32_t row = (first > 0) ? 0 : "),
+            ("3 * first], &block", "0], &block"),
+            (f"{' ' * 24}status = RANGES_PARTIAL;", ""),
+            ("item_status[reference] = ", "item_status[reference] = 7; (void)"),
+            ("status = (ranges_status_t)item_status[reference];", "status = RANGES_OK;"),
+            (
+                "    if (status == RANGES_OK) {\n        range_block_t",
+                "    {\n        range_block_t",
+            ),
+            ("   range_clear_value(&value[row]);", ""),
         ],
     )
     def test_what_is_wrong_is_found(
         self, verify: Verify, monkeypatch: pytest.MonkeyPatch, right: str, wrong: str
     ) -> None:
-        """C that subtracts otherwise, or puts a row elsewhere."""
+        """C that subtracts otherwise, puts a row elsewhere, or hands on another verdict."""
         emit = c.emit
 
         def spoiled(module: ir.Module) -> dict[str, str]:
-            text = {path: one.replace(right, wrong) for path, one in emit(module).items()}
-            assert text != emit(module)
-            return text
+            text = emit(module)
+            path = "c/src/ranges_range.c"
+            assert right in text[path]
+            return {**text, path: text[path].replace(right, wrong)}
 
         monkeypatch.setattr(c, "emit", spoiled)
-        told = verify(RANGES.format(items="skip"), "--samples", "8", "--json")
+        told = verify(RANGES.format(maximum=32, more='items = "skip"'), "--samples", "8", "--json")
         assert told.exit_code == 3, told.output
         failures = json.loads(told.stdout)["failures"]
-        assert failures and all("native difference vs rows" in one for one in failures)
+        assert any("difference" in one for one in failures), failures
+
+    def test_the_status_of_the_whole_is_compared(
+        self, verify: Verify, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        """Items agree, but the C does not say that some of them failed."""
+        emit = c.emit
+
+        def spoiled(module: ir.Module) -> dict[str, str]:
+            text = emit(module)
+            return {
+                path: one.replace("RANGES_PARTIAL;", "RANGES_OK;") for path, one in text.items()
+            }
+
+        monkeypatch.setattr(c, "emit", spoiled)
+        told = verify(RANGES.format(maximum=6, more=""), "--samples", "8", "--json")
+        assert told.exit_code == 3
+        assert "status of native is 0, of numpy 7" in json.loads(told.stdout)["failures"][0]

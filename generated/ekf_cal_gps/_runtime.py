@@ -285,7 +285,8 @@ def as_numbers(argument: Argument, value: Any, real: np.dtype[Any], complex_: bo
             raise TypeError(f"{argument.name}: expected integers, got {array.dtype}")
         limits = np.iinfo(np.int32)
         # A value that int32 cannot hold saturates, so that the range guard still refuses it.
-        return np.clip(array, limits.min, limits.max).astype(np.int32, copy=False)
+        held = np.clip(array, limits.min, limits.max)  # a scalar, of an array without axes
+        return np.asarray(held, dtype=np.int32)
     if kind == "c" and complex_:
         return array
     if kind not in "biuf":

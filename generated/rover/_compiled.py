@@ -86,7 +86,7 @@ class CompiledFunction(BatchFunction):
         return voided(Evaluation(outputs, status, item_status), out)
 
     def bound(self, arrays: Sequence[Array], extent: Extent, out: list[Array]) -> Callable[[], Any]:
-        """Arrays or pointers looked up once; what is left of a call is the C and its status."""
+        """A call that C takes, which looks at the arrays every time, or pointers to them."""
         if self.signature.column_major:
             return super().bound(arrays, extent, out)
         if extent.batch != ():
@@ -95,16 +95,23 @@ class CompiledFunction(BatchFunction):
         memory = (*arrays, *out, *items)
         first, *rest = map(self._pointer, memory)
         run = partial(self._entries[Part.ALL], first, *numbers(extent), *rest)
+        name, places = self.signature.name, [_place(one) for one in memory]
         item_status = items[0] if items else None
         done = self.result(Evaluation(out, Status.OK, item_status), arrays)
 
-        def otherwise(status: int) -> Any:
-            if status == UNFIT and not (status := run()):
+        def finished(status: int) -> Any:
+            if status == Status.OK:
                 return done
             return self.result(Evaluation(out, Status(status), item_status), arrays)
 
-        name = self.signature.name
-        return self._library.bound(name, memory, done, otherwise) or partial(otherwise, UNFIT)
+        def otherwise(status: int) -> Any:
+            if status != UNFIT:
+                return finished(status)
+            if [_place(one) for one in memory] != places:
+                raise ValueError(f"{name}: an array was resized, retyped or locked since bind")
+            return finished(run())
+
+        return self._library.bound(name, memory, done, otherwise) or (lambda: finished(run()))
 
     def _once(
         self,
@@ -178,3 +185,8 @@ class CompiledFunction(BatchFunction):
     def _spread(self, arrays: Sequence[Array], extent: Extent) -> list[Array]:
         """Arguments with all their leading axes."""
         return [spread(array, rank, extent) for array, rank in self._ranked(arrays)]
+
+
+def _place(array: Array) -> tuple[Any, ...]:
+    """Where an array lies, of what kind it is and whether it is writable; any shape will do."""
+    return (*array.__array_interface__["data"], array.nbytes, array.dtype)

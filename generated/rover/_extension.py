@@ -132,7 +132,7 @@ class Library:
             name: of the function, or with a dot and a form behind it.
             result: type of the result; without it, the array or a tuple of arrays.
         """
-        return self._opened(name, (np.ndarray, result, Status.OK)) or _decline_call
+        return self._opened(name, (np.ndarray, result, Status.OK, Status.PARTIAL)) or _decline_call
 
     def bound(
         self, name: str, memory: Sequence[Any], result: Any, otherwise: Callable[[int], Any]
@@ -211,9 +211,13 @@ class Library:
 
 
 def _reads_arrays(lib: Any, prefix: str) -> bool:
-    """True when C can read the arrays of this very NumPy at the addresses this Python gives."""
+    """True when C can read the arrays of this very NumPy at the addresses this Python gives.
+
+    Without the interpreter's lock, others could change a list or an array while it is read.
+    """
     layout = getattr(lib, f"straight_{prefix}__layout", None)
-    if layout is None or sys.implementation.name != "cpython":
+    locked = getattr(sys, "_is_gil_enabled", lambda: True)()
+    if layout is None or sys.implementation.name != "cpython" or not locked:
         return False
     return bool(layout() == int(np.__version__.partition(".")[0]))
 

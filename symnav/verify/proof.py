@@ -179,7 +179,7 @@ def _prove_function(
         if "native" in results:
             a, b = results["native"].get(output, good), results["numpy"].get(output, good)
             proof.compare(output, "native vs numpy", a, b, scales[output.name], good)
-    findings += _compare_differences(proof, backends, results)
+    findings += _compare_differences(proof, backends, good)
     few = proof.samples.judged(good)
     proof.judged = len(few)
     _compare_exact(proof, results, scales, good, few)
@@ -191,19 +191,23 @@ def _prove_function(
 
 
 def _compare_differences(
-    proof: _FunctionProof, backends: Mapping[str, Any], results: Mapping[str, _Evaluated]
+    proof: _FunctionProof, backends: Mapping[str, Any], good: Indices
 ) -> list[Finding]:
     """Single differences, where the entry asks for them."""
-    derivation = proof.derivation
+    derivation, samples = proof.derivation, proof.samples
     findings: list[Finding] = []
     if derivation.entry is None or not derivation.entry.single_difference:
         return findings
-    given = _given(proof.samples)
+    per_item = [name for name, array in samples.arguments.items() if array.ndim == 3]
+    inside = np.zeros((samples.count, samples.items or 1), dtype=np.bool_)
+    inside.ravel()[good] = True
     for name in differencing.BACKENDS:
-        if name in results:
+        if name in backends:
             function = getattr(backends[name], derivation.name)
-            rows = differencing.Rows(results[name].outputs, results[name].ok)
-            for one in differencing.differenced(derivation, name, function, given, rows):
+            found = differencing.differenced(
+                derivation, name, function, _given(samples), per_item, inside
+            )
+            for one in found:
                 if isinstance(one, Finding):
                     findings.append(one)
                 else:
@@ -246,6 +250,7 @@ class _Evaluated:
     outputs: Mapping[str, Array]
     ok: NDArray[np.bool_]
     status: NDArray[np.int64]
+    whole: NDArray[np.int64]
 
     def get(self, output: DerivedOutput, rows: Indices) -> Array:
         """(R, rows) or (R, rows, columns) of the samples chosen."""
@@ -268,12 +273,12 @@ def _evaluate(function: Any, samples: Samples, derivation: Derivation) -> _Evalu
     outputs = {
         o.name: np.asarray(getattr(result, o.name), dtype=np.float64) for o in derivation.outputs
     }
-    status = np.asarray(result.status)
+    status = whole = np.asarray(result.status)
     if samples.items is not None:
         item = np.asarray(result.item_status)
-        whole = np.where((status == 0) | (status == 7), 0, status)
-        status = np.where(whole[:, None] != 0, whole[:, None], item).reshape(-1)
-    return _Evaluated(outputs, status == 0, status)
+        refused = np.where((status == 0) | (status == 7), 0, status)
+        status = np.where(refused[:, None] != 0, refused[:, None], item).reshape(-1)
+    return _Evaluated(outputs, status == 0, status, whole)
 
 
 def _statuses(derivation: Derivation, results: Mapping[str, _Evaluated]) -> list[Finding]:
@@ -286,16 +291,15 @@ def _statuses(derivation: Derivation, results: Mapping[str, _Evaluated]) -> list
     for name, result in results.items():
         if name != "native":
             continue
-        different = np.flatnonzero(result.status != results["numpy"].status)
-        if different.size:
-            k = int(different[0])
-            findings.append(
-                Finding(
-                    derivation.name,
-                    f"status of {name} is {result.status[k]}, of numpy "
-                    f"{results['numpy'].status[k]}, in sample {k}",
-                )
-            )
+        for own, judge in (
+            (result.status, results["numpy"].status),
+            (result.whole, results["numpy"].whole),
+        ):
+            different = np.flatnonzero(own != judge)
+            if different.size:
+                k = int(different[0])
+                message = f"status of {name} is {own[k]}, of numpy {judge[k]}, in sample {k}"
+                findings.append(Finding(derivation.name, message))
     return findings
 
 

@@ -201,8 +201,8 @@ class ProofSheet:
             names = ", ".join(dict.fromkeys(row.function for row in differenced))
             worst = max(row.ulp for row in differenced)
             console.print(
-                "Single differences of C and NumPy, against differences of rows, for the first and "
-                f"the last reference: {names}; {worst:.2f} units in the last place at most.",
+                f"Single differences of C and NumPy, against differences of rows: {names}; "
+                f"{worst:.2f} units in the last place at most.",
                 highlight=False,
                 markup=False,
             )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -252,6 +253,35 @@ def test_a_build_with_headers_is_another(small: ModuleType, tmp_path: Path) -> N
         assert native.choice(x, k=np.int64(number)).value[0] == x[number]
 
 
+def test_functions_may_be_called_like_parts_of_the_extension(tmp_path: Path) -> None:
+    """What the extension has of its own, no function of a specification can be called."""
+    names = ("layout", "open", "call", "bind", "value")
+    made = modules.module(*(replace(modules.choice(), name=name) for name in names), name="small")
+    folder = packages.write({**packages.text_of(made), **c.emit(made)}, tmp_path / "small")
+    build.build(folder)
+    native = backend(packages.load(folder), "native")
+    x = packages.states(np.random.default_rng(2))
+    for name in names:
+        function = getattr(native, name)
+        assert function(x, k=1).value[0] == function.value(x, k=1)[0] == x[1]
+        assert function.bind(x, k=1)().value[0] == x[1]
+
+
+def test_an_index_may_be_a_number(tmp_path: Path) -> None:
+    """Of Python or NumPy; bound, or where results are written to given arrays."""
+    made = modules.module(modules.choice(), name="small")
+    folder = packages.write({**packages.text_of(made), **c.emit(made)}, tmp_path / "small")
+    build.build(folder)
+    x, package = packages.states(np.random.default_rng(2)), packages.load(folder)
+    numbers: list[Any] = [1, np.int64(1), np.array(1), np.uint8(1)]
+    for choice in (backend(package, name).choice for name in ("native", "numpy")):
+        for number in numbers:
+            for given in (x, x.tolist()):
+                out = np.zeros(1)
+                assert choice(given, k=number, out=[out]).value is out and out[0] == x[1]
+        assert choice.bind(x, k=1)().value[0] == x[1]
+
+
 def test_bound_calls_outlive_their_arguments(
     package: ModuleType, small: ModuleType, rng: np.random.Generator
 ) -> None:
@@ -285,6 +315,10 @@ def test_other_arrays_than_those_compiled_for(
     assert once(library, "gps", arrays) == UNFIT
     monkeypatch.undo()
     monkeypatch.setattr(extension.sys.implementation, "name", "pypy")
+    library = extension.Library(native._module, "rover", "float64")
+    assert once(library, "gps", arrays) == UNFIT
+    monkeypatch.undo()
+    monkeypatch.setattr(extension.sys, "_is_gil_enabled", lambda: False, raising=False)
     library = extension.Library(native._module, "rover", "float64")
     assert once(library, "gps", arrays) == UNFIT
     monkeypatch.undo()

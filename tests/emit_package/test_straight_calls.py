@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import inspect
 import sys
 import tracemalloc
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
@@ -146,6 +147,73 @@ def test_parts_refuse_as_ever(package: ModuleType, rng: np.random.Generator) -> 
             part(x, arm=arm)
         with pytest.raises(TypeError, match="position"):
             part(x, arm, lever_arm=arm)
+
+
+class Odd(list[Any]):
+    """What it holds is not what one finds in it."""
+
+    def __iter__(self) -> Iterator[Any]:
+        """Nothing of what it holds."""
+        return iter(())
+
+
+def test_lists_that_are_none(package: ModuleType, rng: np.random.Generator) -> None:
+    """What Python would iterate over counts, not what is stored."""
+    native = backend(package, "native")
+    x, arm, *out = epoch(rng)
+    assert native._library.call("gps", type(native.gps(x, lever_arm=arm)))(x, arm, Odd(out)) is None
+    with pytest.raises(TypeError, match="got 0 arrays"):
+        native.gps(x, lever_arm=arm, out=Odd(out))
+
+
+def test_items_that_fail_are_told_in_the_result(
+    package: ModuleType, rng: np.random.Generator
+) -> None:
+    """Some of them: the result says so, as the general way does; the parts come all the same."""
+    native = backend(package, "native")
+    given = packages.arguments(FUNCTIONS["ranges"], rng, items=5)
+    given["satellite"] = given["satellite"].copy()
+    given["satellite"][3] = np.nan
+    kind = type(called(native.ranges, given))
+    found = native._library.call("ranges", kind)(*given.values(), None)
+    assert found.status is package.Status.PARTIAL and found.item_status.tolist() == [0, 0, 0, 2, 0]
+    expected = called(native.ranges, {name: one.tolist() for name, one in given.items()})
+    for array, other in zip(found, expected, strict=True):
+        assert_array_equal(array, other)
+    value = native._library.call("ranges.value")(*given.values(), None)
+    assert_array_equal(value[0], expected[0])
+
+
+def test_results_and_calls_are_what_python_expects(
+    package: ModuleType, rng: np.random.Generator
+) -> None:
+    """A result of arrays has no hash; a bound call has a signature and takes nothing."""
+    native = backend(package, "native")
+    x, arm, *_ = epoch(rng)
+    with pytest.raises(TypeError, match="unhashable"):
+        hash(native.gps(x, lever_arm=arm))
+    bound = native.gps.bind(x, lever_arm=arm)
+    assert not inspect.signature(bound).parameters and "arrays" in bound.__doc__
+    with pytest.raises(TypeError, match="no arguments"):
+        bound(x)
+
+
+@pytest.mark.parametrize("what", ["resized", "retyped", "locked"])
+def test_arrays_that_are_no_longer_what_they_were(
+    package: ModuleType, rng: np.random.Generator, what: str
+) -> None:
+    """A bound call does not write to memory that is gone, nor read bits as other numbers."""
+    x, arm, *out = epoch(rng)
+    bound = backend(package, "native").gps.bind(x, lever_arm=arm, out=out)
+    bound()
+    if what == "resized":
+        out[2].resize((3, 5000), refcheck=False)
+    elif what == "retyped":
+        arm.dtype = np.dtype(np.int64)
+    else:
+        out[0].flags.writeable = False
+    with pytest.raises(ValueError, match="an array was resized, retyped or locked since bind"):
+        bound()
 
 
 def test_many_items_let_others_run(tmp_path: Path, rng: np.random.Generator) -> None:

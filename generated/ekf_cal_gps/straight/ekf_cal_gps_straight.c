@@ -258,7 +258,7 @@ static PyObject *call_ekf_cal_gps_retract(
     status = (int32_t)ekf_cal_gps_retract(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)EKF_CAL_GPS_PARTIAL);
 }
 
 static PyObject *bound_ekf_cal_gps_retract(PyObject *kept, PyObject *nothing)
@@ -305,7 +305,7 @@ static PyObject *call_ekf_cal_gps_local(
     status = (int32_t)ekf_cal_gps_local(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)EKF_CAL_GPS_PARTIAL);
 }
 
 static PyObject *bound_ekf_cal_gps_local(PyObject *kept, PyObject *nothing)
@@ -354,7 +354,7 @@ static PyObject *call_ekf_cal_gps_gps(
     status = (int32_t)ekf_cal_gps_gps(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)EKF_CAL_GPS_PARTIAL);
 }
 
 static PyObject *bound_ekf_cal_gps_gps(PyObject *kept, PyObject *nothing)
@@ -402,7 +402,7 @@ static PyObject *call_ekf_cal_gps_gps_value(
     status = (int32_t)ekf_cal_gps_gps_value(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)EKF_CAL_GPS_PARTIAL);
 }
 
 static const wanted_t wanted_ekf_cal_gps_gps_jacobian[] = {
@@ -431,7 +431,7 @@ static PyObject *call_ekf_cal_gps_gps_jacobian(
     status = (int32_t)ekf_cal_gps_gps_jacobian(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)EKF_CAL_GPS_PARTIAL);
 }
 
 static const wanted_t wanted_ekf_cal_gps_gps_nz[] = {
@@ -462,7 +462,7 @@ static PyObject *call_ekf_cal_gps_gps_nz(
     status = (int32_t)ekf_cal_gps_gps_nz(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)EKF_CAL_GPS_PARTIAL);
 }
 
 static const wanted_t wanted_ekf_cal_gps_gps_known_antenna[] = {
@@ -494,7 +494,7 @@ static PyObject *call_ekf_cal_gps_gps_known_antenna(
     status = (int32_t)ekf_cal_gps_gps_known_antenna(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)EKF_CAL_GPS_PARTIAL);
 }
 
 static PyObject *bound_ekf_cal_gps_gps_known_antenna(PyObject *kept, PyObject *nothing)
@@ -543,7 +543,7 @@ static PyObject *call_ekf_cal_gps_gps_known_antenna_value(
     status = (int32_t)ekf_cal_gps_gps_known_antenna_value(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)EKF_CAL_GPS_PARTIAL);
 }
 
 static const wanted_t wanted_ekf_cal_gps_gps_known_antenna_jacobian[] = {
@@ -573,7 +573,7 @@ static PyObject *call_ekf_cal_gps_gps_known_antenna_jacobian(
     status = (int32_t)ekf_cal_gps_gps_known_antenna_jacobian(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)EKF_CAL_GPS_PARTIAL);
 }
 
 static const wanted_t wanted_ekf_cal_gps_gps_known_antenna_nz[] = {
@@ -605,7 +605,7 @@ static PyObject *call_ekf_cal_gps_gps_known_antenna_nz(
     status = (int32_t)ekf_cal_gps_gps_known_antenna_nz(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)EKF_CAL_GPS_PARTIAL);
 }
 
 static const wanted_t wanted_ekf_cal_gps_local_fix[] = {
@@ -639,7 +639,7 @@ static PyObject *call_ekf_cal_gps_local_fix(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
         taken[6].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)EKF_CAL_GPS_PARTIAL);
 }
 
 static PyObject *bound_ekf_cal_gps_local_fix(PyObject *kept, PyObject *nothing)
@@ -690,7 +690,7 @@ static PyObject *call_ekf_cal_gps_local_fix_value(
     status = (int32_t)ekf_cal_gps_local_fix_value(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)EKF_CAL_GPS_PARTIAL);
 }
 
 static const wanted_t wanted_ekf_cal_gps_local_fix_jacobian[] = {
@@ -721,7 +721,7 @@ static PyObject *call_ekf_cal_gps_local_fix_jacobian(
     status = (int32_t)ekf_cal_gps_local_fix_jacobian(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)EKF_CAL_GPS_PARTIAL);
 }
 
 int32_t straight_ekf_cal_gps__open(uintptr_t list, const char *name)
@@ -729,13 +729,16 @@ int32_t straight_ekf_cal_gps__open(uintptr_t list, const char *name)
     static PyMethodDef methods[] = {
         {"retract", (PyCFunction)(void (*)(void))call_ekf_cal_gps_retract,
          METH_FASTCALL, NULL},
-        {"retract.bind", bound_ekf_cal_gps_retract, METH_NOARGS, NULL},
+        {"retract.bind", bound_ekf_cal_gps_retract, METH_NOARGS,
+         "bind($self, /)\n--\n\nThe function over these very arrays."},
         {"local", (PyCFunction)(void (*)(void))call_ekf_cal_gps_local,
          METH_FASTCALL, NULL},
-        {"local.bind", bound_ekf_cal_gps_local, METH_NOARGS, NULL},
+        {"local.bind", bound_ekf_cal_gps_local, METH_NOARGS,
+         "bind($self, /)\n--\n\nThe function over these very arrays."},
         {"gps", (PyCFunction)(void (*)(void))call_ekf_cal_gps_gps,
          METH_FASTCALL, NULL},
-        {"gps.bind", bound_ekf_cal_gps_gps, METH_NOARGS, NULL},
+        {"gps.bind", bound_ekf_cal_gps_gps, METH_NOARGS,
+         "bind($self, /)\n--\n\nThe function over these very arrays."},
         {"gps.value", (PyCFunction)(void (*)(void))call_ekf_cal_gps_gps_value,
          METH_FASTCALL, NULL},
         {"gps.jacobian", (PyCFunction)(void (*)(void))call_ekf_cal_gps_gps_jacobian,
@@ -744,7 +747,8 @@ int32_t straight_ekf_cal_gps__open(uintptr_t list, const char *name)
          METH_FASTCALL, NULL},
         {"gps_known_antenna", (PyCFunction)(void (*)(void))call_ekf_cal_gps_gps_known_antenna,
          METH_FASTCALL, NULL},
-        {"gps_known_antenna.bind", bound_ekf_cal_gps_gps_known_antenna, METH_NOARGS, NULL},
+        {"gps_known_antenna.bind", bound_ekf_cal_gps_gps_known_antenna, METH_NOARGS,
+         "bind($self, /)\n--\n\nThe function over these very arrays."},
         {"gps_known_antenna.value", (PyCFunction)(void (*)(void))call_ekf_cal_gps_gps_known_antenna_value,
          METH_FASTCALL, NULL},
         {"gps_known_antenna.jacobian", (PyCFunction)(void (*)(void))call_ekf_cal_gps_gps_known_antenna_jacobian,
@@ -753,7 +757,8 @@ int32_t straight_ekf_cal_gps__open(uintptr_t list, const char *name)
          METH_FASTCALL, NULL},
         {"local_fix", (PyCFunction)(void (*)(void))call_ekf_cal_gps_local_fix,
          METH_FASTCALL, NULL},
-        {"local_fix.bind", bound_ekf_cal_gps_local_fix, METH_NOARGS, NULL},
+        {"local_fix.bind", bound_ekf_cal_gps_local_fix, METH_NOARGS,
+         "bind($self, /)\n--\n\nThe function over these very arrays."},
         {"local_fix.value", (PyCFunction)(void (*)(void))call_ekf_cal_gps_local_fix_value,
          METH_FASTCALL, NULL},
         {"local_fix.jacobian", (PyCFunction)(void (*)(void))call_ekf_cal_gps_local_fix_jacobian,

@@ -208,7 +208,7 @@ static PyObject *call_ekf_cal_online_retract(
     status = (int32_t)ekf_cal_online_retract(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)EKF_CAL_ONLINE_PARTIAL);
 }
 
 static PyObject *bound_ekf_cal_online_retract(PyObject *kept, PyObject *nothing)
@@ -255,7 +255,7 @@ static PyObject *call_ekf_cal_online_local(
     status = (int32_t)ekf_cal_online_local(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)EKF_CAL_ONLINE_PARTIAL);
 }
 
 static PyObject *bound_ekf_cal_online_local(PyObject *kept, PyObject *nothing)
@@ -307,7 +307,7 @@ static PyObject *call_ekf_cal_online_gps_1(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
         taken[6].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)EKF_CAL_ONLINE_PARTIAL);
 }
 
 static PyObject *bound_ekf_cal_online_gps_1(PyObject *kept, PyObject *nothing)
@@ -357,7 +357,7 @@ static PyObject *call_ekf_cal_online_gps_1_value(
     status = (int32_t)ekf_cal_online_gps_1_value(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)EKF_CAL_ONLINE_PARTIAL);
 }
 
 static const wanted_t wanted_ekf_cal_online_gps_1_jacobian[] = {
@@ -388,7 +388,7 @@ static PyObject *call_ekf_cal_online_gps_1_jacobian(
     status = (int32_t)ekf_cal_online_gps_1_jacobian(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)EKF_CAL_ONLINE_PARTIAL);
 }
 
 static const wanted_t wanted_ekf_cal_online_gps_1_nz[] = {
@@ -422,7 +422,7 @@ static PyObject *call_ekf_cal_online_gps_1_nz(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
         taken[6].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)EKF_CAL_ONLINE_PARTIAL);
 }
 
 static const wanted_t wanted_ekf_cal_online_gps_2[] = {
@@ -456,7 +456,7 @@ static PyObject *call_ekf_cal_online_gps_2(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
         taken[6].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)EKF_CAL_ONLINE_PARTIAL);
 }
 
 static PyObject *bound_ekf_cal_online_gps_2(PyObject *kept, PyObject *nothing)
@@ -506,7 +506,7 @@ static PyObject *call_ekf_cal_online_gps_2_value(
     status = (int32_t)ekf_cal_online_gps_2_value(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)EKF_CAL_ONLINE_PARTIAL);
 }
 
 static const wanted_t wanted_ekf_cal_online_gps_2_jacobian[] = {
@@ -537,7 +537,7 @@ static PyObject *call_ekf_cal_online_gps_2_jacobian(
     status = (int32_t)ekf_cal_online_gps_2_jacobian(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)EKF_CAL_ONLINE_PARTIAL);
 }
 
 static const wanted_t wanted_ekf_cal_online_gps_2_nz[] = {
@@ -571,7 +571,7 @@ static PyObject *call_ekf_cal_online_gps_2_nz(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
         taken[6].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)EKF_CAL_ONLINE_PARTIAL);
 }
 
 int32_t straight_ekf_cal_online__open(uintptr_t list, const char *name)
@@ -579,13 +579,16 @@ int32_t straight_ekf_cal_online__open(uintptr_t list, const char *name)
     static PyMethodDef methods[] = {
         {"retract", (PyCFunction)(void (*)(void))call_ekf_cal_online_retract,
          METH_FASTCALL, NULL},
-        {"retract.bind", bound_ekf_cal_online_retract, METH_NOARGS, NULL},
+        {"retract.bind", bound_ekf_cal_online_retract, METH_NOARGS,
+         "bind($self, /)\n--\n\nThe function over these very arrays."},
         {"local", (PyCFunction)(void (*)(void))call_ekf_cal_online_local,
          METH_FASTCALL, NULL},
-        {"local.bind", bound_ekf_cal_online_local, METH_NOARGS, NULL},
+        {"local.bind", bound_ekf_cal_online_local, METH_NOARGS,
+         "bind($self, /)\n--\n\nThe function over these very arrays."},
         {"gps_1", (PyCFunction)(void (*)(void))call_ekf_cal_online_gps_1,
          METH_FASTCALL, NULL},
-        {"gps_1.bind", bound_ekf_cal_online_gps_1, METH_NOARGS, NULL},
+        {"gps_1.bind", bound_ekf_cal_online_gps_1, METH_NOARGS,
+         "bind($self, /)\n--\n\nThe function over these very arrays."},
         {"gps_1.value", (PyCFunction)(void (*)(void))call_ekf_cal_online_gps_1_value,
          METH_FASTCALL, NULL},
         {"gps_1.jacobian", (PyCFunction)(void (*)(void))call_ekf_cal_online_gps_1_jacobian,
@@ -594,7 +597,8 @@ int32_t straight_ekf_cal_online__open(uintptr_t list, const char *name)
          METH_FASTCALL, NULL},
         {"gps_2", (PyCFunction)(void (*)(void))call_ekf_cal_online_gps_2,
          METH_FASTCALL, NULL},
-        {"gps_2.bind", bound_ekf_cal_online_gps_2, METH_NOARGS, NULL},
+        {"gps_2.bind", bound_ekf_cal_online_gps_2, METH_NOARGS,
+         "bind($self, /)\n--\n\nThe function over these very arrays."},
         {"gps_2.value", (PyCFunction)(void (*)(void))call_ekf_cal_online_gps_2_value,
          METH_FASTCALL, NULL},
         {"gps_2.jacobian", (PyCFunction)(void (*)(void))call_ekf_cal_online_gps_2_jacobian,

@@ -220,7 +220,7 @@ static PyObject *call_farrell_tightly_coupled_retract(
     status = (int32_t)farrell_tightly_coupled_retract(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)FARRELL_TIGHTLY_COUPLED_PARTIAL);
 }
 
 static PyObject *bound_farrell_tightly_coupled_retract(PyObject *kept, PyObject *nothing)
@@ -267,7 +267,7 @@ static PyObject *call_farrell_tightly_coupled_local(
     status = (int32_t)farrell_tightly_coupled_local(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)FARRELL_TIGHTLY_COUPLED_PARTIAL);
 }
 
 static PyObject *bound_farrell_tightly_coupled_local(PyObject *kept, PyObject *nothing)
@@ -321,7 +321,7 @@ static PyObject *call_farrell_tightly_coupled_pseudorange(
         taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
         taken[5].at, taken[6].at, taken[7].at, taken[8].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)FARRELL_TIGHTLY_COUPLED_PARTIAL);
 }
 
 static PyObject *bound_farrell_tightly_coupled_pseudorange(PyObject *kept, PyObject *nothing)
@@ -375,7 +375,7 @@ static PyObject *call_farrell_tightly_coupled_pseudorange_value(
         taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
         taken[5].at, taken[6].at, taken[7].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)FARRELL_TIGHTLY_COUPLED_PARTIAL);
 }
 
 static const wanted_t wanted_farrell_tightly_coupled_pseudorange_jacobian[] = {
@@ -409,7 +409,7 @@ static PyObject *call_farrell_tightly_coupled_pseudorange_jacobian(
         taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
         taken[5].at, taken[6].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)FARRELL_TIGHTLY_COUPLED_PARTIAL);
 }
 
 static const wanted_t wanted_farrell_tightly_coupled_pseudorange_lever_arm[] = {
@@ -444,7 +444,7 @@ static PyObject *call_farrell_tightly_coupled_pseudorange_lever_arm(
         taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
         taken[5].at, taken[6].at, taken[7].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)FARRELL_TIGHTLY_COUPLED_PARTIAL);
 }
 
 static PyObject *bound_farrell_tightly_coupled_pseudorange_lever_arm(PyObject *kept, PyObject *nothing)
@@ -497,7 +497,7 @@ static PyObject *call_farrell_tightly_coupled_pseudorange_lever_arm_value(
         taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
         taken[5].at, taken[6].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)FARRELL_TIGHTLY_COUPLED_PARTIAL);
 }
 
 static const wanted_t wanted_farrell_tightly_coupled_pseudorange_lever_arm_jacobian[] = {
@@ -531,7 +531,7 @@ static PyObject *call_farrell_tightly_coupled_pseudorange_lever_arm_jacobian(
         taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
         taken[5].at, taken[6].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)FARRELL_TIGHTLY_COUPLED_PARTIAL);
 }
 
 int32_t straight_farrell_tightly_coupled__open(uintptr_t list, const char *name)
@@ -539,20 +539,24 @@ int32_t straight_farrell_tightly_coupled__open(uintptr_t list, const char *name)
     static PyMethodDef methods[] = {
         {"retract", (PyCFunction)(void (*)(void))call_farrell_tightly_coupled_retract,
          METH_FASTCALL, NULL},
-        {"retract.bind", bound_farrell_tightly_coupled_retract, METH_NOARGS, NULL},
+        {"retract.bind", bound_farrell_tightly_coupled_retract, METH_NOARGS,
+         "bind($self, /)\n--\n\nThe function over these very arrays."},
         {"local", (PyCFunction)(void (*)(void))call_farrell_tightly_coupled_local,
          METH_FASTCALL, NULL},
-        {"local.bind", bound_farrell_tightly_coupled_local, METH_NOARGS, NULL},
+        {"local.bind", bound_farrell_tightly_coupled_local, METH_NOARGS,
+         "bind($self, /)\n--\n\nThe function over these very arrays."},
         {"pseudorange", (PyCFunction)(void (*)(void))call_farrell_tightly_coupled_pseudorange,
          METH_FASTCALL, NULL},
-        {"pseudorange.bind", bound_farrell_tightly_coupled_pseudorange, METH_NOARGS, NULL},
+        {"pseudorange.bind", bound_farrell_tightly_coupled_pseudorange, METH_NOARGS,
+         "bind($self, /)\n--\n\nThe function over these very arrays."},
         {"pseudorange.value", (PyCFunction)(void (*)(void))call_farrell_tightly_coupled_pseudorange_value,
          METH_FASTCALL, NULL},
         {"pseudorange.jacobian", (PyCFunction)(void (*)(void))call_farrell_tightly_coupled_pseudorange_jacobian,
          METH_FASTCALL, NULL},
         {"pseudorange_lever_arm", (PyCFunction)(void (*)(void))call_farrell_tightly_coupled_pseudorange_lever_arm,
          METH_FASTCALL, NULL},
-        {"pseudorange_lever_arm.bind", bound_farrell_tightly_coupled_pseudorange_lever_arm, METH_NOARGS, NULL},
+        {"pseudorange_lever_arm.bind", bound_farrell_tightly_coupled_pseudorange_lever_arm, METH_NOARGS,
+         "bind($self, /)\n--\n\nThe function over these very arrays."},
         {"pseudorange_lever_arm.value", (PyCFunction)(void (*)(void))call_farrell_tightly_coupled_pseudorange_lever_arm_value,
          METH_FASTCALL, NULL},
         {"pseudorange_lever_arm.jacobian", (PyCFunction)(void (*)(void))call_farrell_tightly_coupled_pseudorange_lever_arm_jacobian,

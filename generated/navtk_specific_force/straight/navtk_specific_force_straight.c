@@ -220,7 +220,7 @@ static PyObject *call_navtk_specific_force_retract(
     status = (int32_t)navtk_specific_force_retract(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)NAVTK_SPECIFIC_FORCE_PARTIAL);
 }
 
 static PyObject *bound_navtk_specific_force_retract(PyObject *kept, PyObject *nothing)
@@ -267,7 +267,7 @@ static PyObject *call_navtk_specific_force_local(
     status = (int32_t)navtk_specific_force_local(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)NAVTK_SPECIFIC_FORCE_PARTIAL);
 }
 
 static PyObject *bound_navtk_specific_force_local(PyObject *kept, PyObject *nothing)
@@ -321,7 +321,7 @@ static PyObject *call_navtk_specific_force_calc_force(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
         taken[6].at, taken[7].at, taken[8].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)NAVTK_SPECIFIC_FORCE_PARTIAL);
 }
 
 static PyObject *bound_navtk_specific_force_calc_force(PyObject *kept, PyObject *nothing)
@@ -371,7 +371,7 @@ static PyObject *call_navtk_specific_force_calc_force_value(
     status = (int32_t)navtk_specific_force_calc_force_value(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)NAVTK_SPECIFIC_FORCE_PARTIAL);
 }
 
 static const wanted_t wanted_navtk_specific_force_calc_force_jacobian[] = {
@@ -406,7 +406,7 @@ static PyObject *call_navtk_specific_force_calc_force_jacobian(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
         taken[6].at, taken[7].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)NAVTK_SPECIFIC_FORCE_PARTIAL);
 }
 
 static const wanted_t wanted_navtk_specific_force_calc_force_nz[] = {
@@ -442,7 +442,7 @@ static PyObject *call_navtk_specific_force_calc_force_nz(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
         taken[6].at, taken[7].at, taken[8].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)NAVTK_SPECIFIC_FORCE_PARTIAL);
 }
 
 static const wanted_t wanted_navtk_specific_force_force[] = {
@@ -478,7 +478,7 @@ static PyObject *call_navtk_specific_force_force(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
         taken[6].at, taken[7].at, taken[8].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)NAVTK_SPECIFIC_FORCE_PARTIAL);
 }
 
 static PyObject *bound_navtk_specific_force_force(PyObject *kept, PyObject *nothing)
@@ -528,7 +528,7 @@ static PyObject *call_navtk_specific_force_force_value(
     status = (int32_t)navtk_specific_force_force_value(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)NAVTK_SPECIFIC_FORCE_PARTIAL);
 }
 
 static const wanted_t wanted_navtk_specific_force_force_jacobian[] = {
@@ -563,7 +563,7 @@ static PyObject *call_navtk_specific_force_force_jacobian(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
         taken[6].at, taken[7].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)NAVTK_SPECIFIC_FORCE_PARTIAL);
 }
 
 static const wanted_t wanted_navtk_specific_force_force_nz[] = {
@@ -599,7 +599,7 @@ static PyObject *call_navtk_specific_force_force_nz(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
         taken[6].at, taken[7].at, taken[8].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)NAVTK_SPECIFIC_FORCE_PARTIAL);
 }
 
 int32_t straight_navtk_specific_force__open(uintptr_t list, const char *name)
@@ -607,13 +607,16 @@ int32_t straight_navtk_specific_force__open(uintptr_t list, const char *name)
     static PyMethodDef methods[] = {
         {"retract", (PyCFunction)(void (*)(void))call_navtk_specific_force_retract,
          METH_FASTCALL, NULL},
-        {"retract.bind", bound_navtk_specific_force_retract, METH_NOARGS, NULL},
+        {"retract.bind", bound_navtk_specific_force_retract, METH_NOARGS,
+         "bind($self, /)\n--\n\nThe function over these very arrays."},
         {"local", (PyCFunction)(void (*)(void))call_navtk_specific_force_local,
          METH_FASTCALL, NULL},
-        {"local.bind", bound_navtk_specific_force_local, METH_NOARGS, NULL},
+        {"local.bind", bound_navtk_specific_force_local, METH_NOARGS,
+         "bind($self, /)\n--\n\nThe function over these very arrays."},
         {"calc_force", (PyCFunction)(void (*)(void))call_navtk_specific_force_calc_force,
          METH_FASTCALL, NULL},
-        {"calc_force.bind", bound_navtk_specific_force_calc_force, METH_NOARGS, NULL},
+        {"calc_force.bind", bound_navtk_specific_force_calc_force, METH_NOARGS,
+         "bind($self, /)\n--\n\nThe function over these very arrays."},
         {"calc_force.value", (PyCFunction)(void (*)(void))call_navtk_specific_force_calc_force_value,
          METH_FASTCALL, NULL},
         {"calc_force.jacobian", (PyCFunction)(void (*)(void))call_navtk_specific_force_calc_force_jacobian,
@@ -622,7 +625,8 @@ int32_t straight_navtk_specific_force__open(uintptr_t list, const char *name)
          METH_FASTCALL, NULL},
         {"force", (PyCFunction)(void (*)(void))call_navtk_specific_force_force,
          METH_FASTCALL, NULL},
-        {"force.bind", bound_navtk_specific_force_force, METH_NOARGS, NULL},
+        {"force.bind", bound_navtk_specific_force_force, METH_NOARGS,
+         "bind($self, /)\n--\n\nThe function over these very arrays."},
         {"force.value", (PyCFunction)(void (*)(void))call_navtk_specific_force_force_value,
          METH_FASTCALL, NULL},
         {"force.jacobian", (PyCFunction)(void (*)(void))call_navtk_specific_force_force_jacobian,

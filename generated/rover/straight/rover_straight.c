@@ -278,7 +278,7 @@ static PyObject *call_rover_retract(
     status = (int32_t)rover_retract(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)ROVER_PARTIAL);
 }
 
 static PyObject *bound_rover_retract(PyObject *kept, PyObject *nothing)
@@ -325,7 +325,7 @@ static PyObject *call_rover_local(
     status = (int32_t)rover_local(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)ROVER_PARTIAL);
 }
 
 static PyObject *bound_rover_local(PyObject *kept, PyObject *nothing)
@@ -372,7 +372,7 @@ static PyObject *call_rover_gps(
     status = (int32_t)rover_gps(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)ROVER_PARTIAL);
 }
 
 static PyObject *bound_rover_gps(PyObject *kept, PyObject *nothing)
@@ -418,7 +418,7 @@ static PyObject *call_rover_gps_value(
     status = (int32_t)rover_gps_value(
         taken[0].at, taken[1].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)ROVER_PARTIAL);
 }
 
 static const wanted_t wanted_rover_gps_jacobian[] = {
@@ -446,7 +446,7 @@ static PyObject *call_rover_gps_jacobian(
     status = (int32_t)rover_gps_jacobian(
         taken[0].at, taken[1].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)ROVER_PARTIAL);
 }
 
 static const wanted_t wanted_rover_gps_nz[] = {
@@ -475,7 +475,7 @@ static PyObject *call_rover_gps_nz(
     status = (int32_t)rover_gps_nz(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)ROVER_PARTIAL);
 }
 
 static const wanted_t wanted_rover_range[] = {
@@ -516,7 +516,7 @@ static PyObject *call_rover_range(
         taken[5].at, taken[6].at, taken[7].at, taken[8].at, taken[9].at, taken[10].at,
         taken[11].at, taken[12].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)ROVER_PARTIAL);
 }
 
 static PyObject *bound_rover_range(PyObject *kept, PyObject *nothing)
@@ -576,7 +576,7 @@ static PyObject *call_rover_range_value(
         taken[5].at, taken[6].at, taken[7].at, taken[8].at, taken[9].at, taken[10].at,
         taken[11].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)ROVER_PARTIAL);
 }
 
 static const wanted_t wanted_rover_range_jacobian[] = {
@@ -614,7 +614,7 @@ static PyObject *call_rover_range_jacobian(
         taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
         taken[5].at, taken[6].at, taken[7].at, taken[8].at, taken[9].at, taken[10].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)ROVER_PARTIAL);
 }
 
 static const wanted_t wanted_rover_imu[] = {
@@ -646,7 +646,7 @@ static PyObject *call_rover_imu(
     status = (int32_t)rover_imu(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)ROVER_PARTIAL);
 }
 
 static PyObject *bound_rover_imu(PyObject *kept, PyObject *nothing)
@@ -695,7 +695,7 @@ static PyObject *call_rover_imu_value(
     status = (int32_t)rover_imu_value(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)ROVER_PARTIAL);
 }
 
 static const wanted_t wanted_rover_imu_jacobian[] = {
@@ -726,7 +726,7 @@ static PyObject *call_rover_imu_jacobian(
     status = (int32_t)rover_imu_jacobian(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)ROVER_PARTIAL);
 }
 
 static const wanted_t wanted_rover_imu_nz[] = {
@@ -758,7 +758,7 @@ static PyObject *call_rover_imu_nz(
     status = (int32_t)rover_imu_nz(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)ROVER_PARTIAL);
 }
 
 int32_t straight_rover__open(uintptr_t list, const char *name)
@@ -766,13 +766,16 @@ int32_t straight_rover__open(uintptr_t list, const char *name)
     static PyMethodDef methods[] = {
         {"retract", (PyCFunction)(void (*)(void))call_rover_retract,
          METH_FASTCALL, NULL},
-        {"retract.bind", bound_rover_retract, METH_NOARGS, NULL},
+        {"retract.bind", bound_rover_retract, METH_NOARGS,
+         "bind($self, /)\n--\n\nThe function over these very arrays."},
         {"local", (PyCFunction)(void (*)(void))call_rover_local,
          METH_FASTCALL, NULL},
-        {"local.bind", bound_rover_local, METH_NOARGS, NULL},
+        {"local.bind", bound_rover_local, METH_NOARGS,
+         "bind($self, /)\n--\n\nThe function over these very arrays."},
         {"gps", (PyCFunction)(void (*)(void))call_rover_gps,
          METH_FASTCALL, NULL},
-        {"gps.bind", bound_rover_gps, METH_NOARGS, NULL},
+        {"gps.bind", bound_rover_gps, METH_NOARGS,
+         "bind($self, /)\n--\n\nThe function over these very arrays."},
         {"gps.value", (PyCFunction)(void (*)(void))call_rover_gps_value,
          METH_FASTCALL, NULL},
         {"gps.jacobian", (PyCFunction)(void (*)(void))call_rover_gps_jacobian,
@@ -781,14 +784,16 @@ int32_t straight_rover__open(uintptr_t list, const char *name)
          METH_FASTCALL, NULL},
         {"range", (PyCFunction)(void (*)(void))call_rover_range,
          METH_FASTCALL, NULL},
-        {"range.bind", bound_rover_range, METH_NOARGS, NULL},
+        {"range.bind", bound_rover_range, METH_NOARGS,
+         "bind($self, /)\n--\n\nThe function over these very arrays."},
         {"range.value", (PyCFunction)(void (*)(void))call_rover_range_value,
          METH_FASTCALL, NULL},
         {"range.jacobian", (PyCFunction)(void (*)(void))call_rover_range_jacobian,
          METH_FASTCALL, NULL},
         {"imu", (PyCFunction)(void (*)(void))call_rover_imu,
          METH_FASTCALL, NULL},
-        {"imu.bind", bound_rover_imu, METH_NOARGS, NULL},
+        {"imu.bind", bound_rover_imu, METH_NOARGS,
+         "bind($self, /)\n--\n\nThe function over these very arrays."},
         {"imu.value", (PyCFunction)(void (*)(void))call_rover_imu_value,
          METH_FASTCALL, NULL},
         {"imu.jacobian", (PyCFunction)(void (*)(void))call_rover_imu_jacobian,

@@ -285,7 +285,7 @@ static PyObject *call_single_point_retract(
     status = (int32_t)single_point_retract(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)SINGLE_POINT_PARTIAL);
 }
 
 static PyObject *bound_single_point_retract(PyObject *kept, PyObject *nothing)
@@ -332,7 +332,7 @@ static PyObject *call_single_point_local(
     status = (int32_t)single_point_local(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)SINGLE_POINT_PARTIAL);
 }
 
 static PyObject *bound_single_point_local(PyObject *kept, PyObject *nothing)
@@ -385,7 +385,7 @@ static PyObject *call_single_point_pseudorange(
         taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
         taken[5].at, taken[6].at, taken[7].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)SINGLE_POINT_PARTIAL);
 }
 
 static PyObject *bound_single_point_pseudorange(PyObject *kept, PyObject *nothing)
@@ -438,7 +438,7 @@ static PyObject *call_single_point_pseudorange_value(
         taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
         taken[5].at, taken[6].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)SINGLE_POINT_PARTIAL);
 }
 
 static const wanted_t wanted_single_point_pseudorange_jacobian[] = {
@@ -472,7 +472,7 @@ static PyObject *call_single_point_pseudorange_jacobian(
         taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
         taken[5].at, taken[6].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)SINGLE_POINT_PARTIAL);
 }
 
 static const wanted_t wanted_single_point_pseudorange_without_sagnac[] = {
@@ -507,7 +507,7 @@ static PyObject *call_single_point_pseudorange_without_sagnac(
         taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
         taken[5].at, taken[6].at, taken[7].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)SINGLE_POINT_PARTIAL);
 }
 
 static PyObject *bound_single_point_pseudorange_without_sagnac(PyObject *kept, PyObject *nothing)
@@ -560,7 +560,7 @@ static PyObject *call_single_point_pseudorange_without_sagnac_value(
         taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
         taken[5].at, taken[6].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)SINGLE_POINT_PARTIAL);
 }
 
 static const wanted_t wanted_single_point_pseudorange_without_sagnac_jacobian[] = {
@@ -594,7 +594,7 @@ static PyObject *call_single_point_pseudorange_without_sagnac_jacobian(
         taken[0].at, (int32_t)extent.items, taken[1].at, taken[2].at, taken[3].at, taken[4].at,
         taken[5].at, taken[6].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)SINGLE_POINT_PARTIAL);
 }
 
 static const wanted_t wanted_single_point_broadcast_orbit[] = {
@@ -650,7 +650,7 @@ static PyObject *call_single_point_broadcast_orbit(
         taken[18].at, taken[19].at, taken[20].at, taken[21].at, taken[22].at, taken[23].at,
         taken[24].at, taken[25].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)SINGLE_POINT_PARTIAL);
 }
 
 static PyObject *bound_single_point_broadcast_orbit(PyObject *kept, PyObject *nothing)
@@ -680,27 +680,32 @@ int32_t straight_single_point__open(uintptr_t list, const char *name)
     static PyMethodDef methods[] = {
         {"retract", (PyCFunction)(void (*)(void))call_single_point_retract,
          METH_FASTCALL, NULL},
-        {"retract.bind", bound_single_point_retract, METH_NOARGS, NULL},
+        {"retract.bind", bound_single_point_retract, METH_NOARGS,
+         "bind($self, /)\n--\n\nThe function over these very arrays."},
         {"local", (PyCFunction)(void (*)(void))call_single_point_local,
          METH_FASTCALL, NULL},
-        {"local.bind", bound_single_point_local, METH_NOARGS, NULL},
+        {"local.bind", bound_single_point_local, METH_NOARGS,
+         "bind($self, /)\n--\n\nThe function over these very arrays."},
         {"pseudorange", (PyCFunction)(void (*)(void))call_single_point_pseudorange,
          METH_FASTCALL, NULL},
-        {"pseudorange.bind", bound_single_point_pseudorange, METH_NOARGS, NULL},
+        {"pseudorange.bind", bound_single_point_pseudorange, METH_NOARGS,
+         "bind($self, /)\n--\n\nThe function over these very arrays."},
         {"pseudorange.value", (PyCFunction)(void (*)(void))call_single_point_pseudorange_value,
          METH_FASTCALL, NULL},
         {"pseudorange.jacobian", (PyCFunction)(void (*)(void))call_single_point_pseudorange_jacobian,
          METH_FASTCALL, NULL},
         {"pseudorange_without_sagnac", (PyCFunction)(void (*)(void))call_single_point_pseudorange_without_sagnac,
          METH_FASTCALL, NULL},
-        {"pseudorange_without_sagnac.bind", bound_single_point_pseudorange_without_sagnac, METH_NOARGS, NULL},
+        {"pseudorange_without_sagnac.bind", bound_single_point_pseudorange_without_sagnac, METH_NOARGS,
+         "bind($self, /)\n--\n\nThe function over these very arrays."},
         {"pseudorange_without_sagnac.value", (PyCFunction)(void (*)(void))call_single_point_pseudorange_without_sagnac_value,
          METH_FASTCALL, NULL},
         {"pseudorange_without_sagnac.jacobian", (PyCFunction)(void (*)(void))call_single_point_pseudorange_without_sagnac_jacobian,
          METH_FASTCALL, NULL},
         {"broadcast_orbit", (PyCFunction)(void (*)(void))call_single_point_broadcast_orbit,
          METH_FASTCALL, NULL},
-        {"broadcast_orbit.bind", bound_single_point_broadcast_orbit, METH_NOARGS, NULL},
+        {"broadcast_orbit.bind", bound_single_point_broadcast_orbit, METH_NOARGS,
+         "bind($self, /)\n--\n\nThe function over these very arrays."},
     };
 
     return open_call(list, name, methods, (int)(sizeof methods / sizeof methods[0]));

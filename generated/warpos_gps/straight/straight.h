@@ -224,8 +224,8 @@ static inline bool has_epochs(const extent_t *extent, int32_t first, int32_t cou
 }
 
 /* What a call of Python's keeps, in a tuple: the type of NumPy's arrays, that of its result (or
-   None for outputs alone), and the status of what went well. */
-enum { ARRAY_TYPE, RESULT_TYPE, WENT_WELL };
+   None for outputs alone), and the statuses of what went well and of what some items failed in. */
+enum { ARRAY_TYPE, RESULT_TYPE, WENT_WELL, WENT_PARTLY };
 
 /* What a bound call keeps behind everything it takes: its result, and what is called with the
    status when something went otherwise. */
@@ -269,7 +269,8 @@ static void release(PyObject *const arrays[], int first, int end)
     }
 }
 
-/* Nothing for Python, which then takes the general way and says what is wrong. */
+/* Nothing for Python, which then takes the general way and says what is wrong; memory that has run
+   out does so there again. */
 static PyObject *decline(PyObject *const arrays[], int count)
 {
     release(arrays, 0, count);
@@ -277,18 +278,25 @@ static PyObject *decline(PyObject *const arrays[], int count)
     Py_RETURN_NONE;
 }
 
+/* True for a list or tuple whose elements are what Python iterates over. */
+static bool is_plain_sequence(PyObject *object, PyObject *result_type)
+{
+    return PyTuple_CheckExact(object) || PyList_CheckExact(object)
+        || ((PyObject *)Py_TYPE(object) == result_type);
+}
+
 /* The arrays that `out` holds, one, several or a result; nothing where it holds another number. */
 static PyObject *const *held_by(PyObject *const *out, PyObject *kept, const call_t *call)
 {
     const PyTypeObject *const type = (PyTypeObject *)PyTuple_GET_ITEM(kept, ARRAY_TYPE);
-    const bool plain = PyTuple_GET_ITEM(kept, RESULT_TYPE) == Py_None;
+    PyObject *const result_type = PyTuple_GET_ITEM(kept, RESULT_TYPE);
     PyObject *const *arrays = NULL;
 
     if (Py_TYPE(*out) == type) {
         arrays = (call->outputs == 1) ? out : NULL;
-    } else if (PyTuple_Check(*out) || PyList_Check(*out)) {
+    } else if (is_plain_sequence(*out, result_type)) {
         const Py_ssize_t size = PySequence_Fast_GET_SIZE(*out);
-        const bool whole = !plain && (size == (call->written + 1));
+        const bool whole = (result_type != Py_None) && (size == (call->written + 1));
 
         arrays = (whole || (size == call->outputs)) ? PySequence_Fast_ITEMS(*out) : NULL;
     }
@@ -331,7 +339,8 @@ static bool begin(
             arrays[made] = make_array(&call->wanted[place], extent, &taken[place]);
         }
         if (arrays[made] == NULL) {
-            Py_DECREF(decline(arrays, made));
+            release(arrays, 0, made);
+            PyErr_Clear();
             return false;
         }
     }
@@ -355,31 +364,36 @@ static PyObject *finish_plain(const call_t *call, PyObject *const arrays[])
     return result;
 }
 
-/* The result of a call that went well, which owns the arrays from now on. */
+/* The result of a call that went well or partly so, which owns the arrays from now on. */
 static PyObject *finish(
     const call_t *call,
     PyObject *kept,
     PyObject *const arrays[],
-    int32_t status)
+    int32_t status,
+    int32_t partly)
 {
     PyTypeObject *const type = (PyTypeObject *)PyTuple_GET_ITEM(kept, RESULT_TYPE);
-    PyObject *const well = PyTuple_GET_ITEM(kept, WENT_WELL);
-    PyObject *result = NULL;
+    PyObject *const outcome = PyTuple_GET_ITEM(kept, (status == 0) ? WENT_WELL : WENT_PARTLY);
+    PyObject *result;
 
-    if ((status == 0) && ((PyObject *)type == Py_None)) {
+    if ((status != 0) && (status != partly)) {
+        return decline(arrays, call->written);
+    }
+    if ((PyObject *)type == Py_None) {
         return finish_plain(call, arrays);
     }
-    if (status == 0) {
-        result = type->tp_alloc(type, call->written + 1);
-    }
+    result = type->tp_alloc(type, call->written + 1);
     if (result == NULL) {
         return decline(arrays, call->written);
     }
+#if PY_VERSION_HEX >= 0x030E0000
+    ((PyTupleObject *)result)->ob_hash = -1; /* not known yet */
+#endif
     for (int place = 0; place < call->written; ++place) {
         PyTuple_SET_ITEM(result, place + (place >= call->outputs), arrays[place]);
     }
-    Py_INCREF(well);
-    PyTuple_SET_ITEM(result, call->outputs, well);
+    Py_INCREF(outcome);
+    PyTuple_SET_ITEM(result, call->outputs, outcome);
     return result;
 }
 
@@ -411,7 +425,7 @@ static inline void step_back(PyThreadState *aside)
 }
 
 /* Put the call of a name into a list of Python's, by its address, in the place of what the call
-   keeps. */
+   keeps. Where that fails, for want of memory or of NumPy, everything takes the general way. */
 static int32_t open_call(uintptr_t given, const char *name, PyMethodDef methods[], int count)
 {
     PyObject *const list = (PyObject *)given;

@@ -318,7 +318,7 @@ static PyObject *call_warpos_gps_retract(
     status = (int32_t)warpos_gps_retract(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)WARPOS_GPS_PARTIAL);
 }
 
 static PyObject *bound_warpos_gps_retract(PyObject *kept, PyObject *nothing)
@@ -365,7 +365,7 @@ static PyObject *call_warpos_gps_local(
     status = (int32_t)warpos_gps_local(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)WARPOS_GPS_PARTIAL);
 }
 
 static PyObject *bound_warpos_gps_local(PyObject *kept, PyObject *nothing)
@@ -412,7 +412,7 @@ static PyObject *call_warpos_gps_measurement(
     status = (int32_t)warpos_gps_measurement(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)WARPOS_GPS_PARTIAL);
 }
 
 static PyObject *bound_warpos_gps_measurement(PyObject *kept, PyObject *nothing)
@@ -458,7 +458,7 @@ static PyObject *call_warpos_gps_measurement_value(
     status = (int32_t)warpos_gps_measurement_value(
         taken[0].at, taken[1].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)WARPOS_GPS_PARTIAL);
 }
 
 static const wanted_t wanted_warpos_gps_measurement_jacobian[] = {
@@ -486,7 +486,7 @@ static PyObject *call_warpos_gps_measurement_jacobian(
     status = (int32_t)warpos_gps_measurement_jacobian(
         taken[0].at, taken[1].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)WARPOS_GPS_PARTIAL);
 }
 
 static const wanted_t wanted_warpos_gps_measurement_nz[] = {
@@ -515,7 +515,7 @@ static PyObject *call_warpos_gps_measurement_nz(
     status = (int32_t)warpos_gps_measurement_nz(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)WARPOS_GPS_PARTIAL);
 }
 
 static const wanted_t wanted_warpos_gps_observed[] = {
@@ -545,7 +545,7 @@ static PyObject *call_warpos_gps_observed(
     status = (int32_t)warpos_gps_observed(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)WARPOS_GPS_PARTIAL);
 }
 
 static PyObject *bound_warpos_gps_observed(PyObject *kept, PyObject *nothing)
@@ -592,7 +592,7 @@ static PyObject *call_warpos_gps_observed_value(
     status = (int32_t)warpos_gps_observed_value(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)WARPOS_GPS_PARTIAL);
 }
 
 static const wanted_t wanted_warpos_gps_observed_jacobian[] = {
@@ -621,7 +621,7 @@ static PyObject *call_warpos_gps_observed_jacobian(
     status = (int32_t)warpos_gps_observed_jacobian(
         taken[0].at, taken[1].at, taken[2].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)WARPOS_GPS_PARTIAL);
 }
 
 static const wanted_t wanted_warpos_gps_observed_nz[] = {
@@ -651,7 +651,7 @@ static PyObject *call_warpos_gps_observed_nz(
     status = (int32_t)warpos_gps_observed_nz(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)WARPOS_GPS_PARTIAL);
 }
 
 static const wanted_t wanted_warpos_gps_to_state_frame[] = {
@@ -686,7 +686,7 @@ static PyObject *call_warpos_gps_to_state_frame(
         taken[0].at, taken[1].at, taken[2].at, taken[3].at, taken[4].at, taken[5].at,
         taken[6].at, taken[7].at);
     step_back(aside);
-    return finish(&call, kept, arrays, status);
+    return finish(&call, kept, arrays, status, (int32_t)WARPOS_GPS_PARTIAL);
 }
 
 static PyObject *bound_warpos_gps_to_state_frame(PyObject *kept, PyObject *nothing)
@@ -713,13 +713,16 @@ int32_t straight_warpos_gps__open(uintptr_t list, const char *name)
     static PyMethodDef methods[] = {
         {"retract", (PyCFunction)(void (*)(void))call_warpos_gps_retract,
          METH_FASTCALL, NULL},
-        {"retract.bind", bound_warpos_gps_retract, METH_NOARGS, NULL},
+        {"retract.bind", bound_warpos_gps_retract, METH_NOARGS,
+         "bind($self, /)\n--\n\nThe function over these very arrays."},
         {"local", (PyCFunction)(void (*)(void))call_warpos_gps_local,
          METH_FASTCALL, NULL},
-        {"local.bind", bound_warpos_gps_local, METH_NOARGS, NULL},
+        {"local.bind", bound_warpos_gps_local, METH_NOARGS,
+         "bind($self, /)\n--\n\nThe function over these very arrays."},
         {"measurement", (PyCFunction)(void (*)(void))call_warpos_gps_measurement,
          METH_FASTCALL, NULL},
-        {"measurement.bind", bound_warpos_gps_measurement, METH_NOARGS, NULL},
+        {"measurement.bind", bound_warpos_gps_measurement, METH_NOARGS,
+         "bind($self, /)\n--\n\nThe function over these very arrays."},
         {"measurement.value", (PyCFunction)(void (*)(void))call_warpos_gps_measurement_value,
          METH_FASTCALL, NULL},
         {"measurement.jacobian", (PyCFunction)(void (*)(void))call_warpos_gps_measurement_jacobian,
@@ -728,7 +731,8 @@ int32_t straight_warpos_gps__open(uintptr_t list, const char *name)
          METH_FASTCALL, NULL},
         {"observed", (PyCFunction)(void (*)(void))call_warpos_gps_observed,
          METH_FASTCALL, NULL},
-        {"observed.bind", bound_warpos_gps_observed, METH_NOARGS, NULL},
+        {"observed.bind", bound_warpos_gps_observed, METH_NOARGS,
+         "bind($self, /)\n--\n\nThe function over these very arrays."},
         {"observed.value", (PyCFunction)(void (*)(void))call_warpos_gps_observed_value,
          METH_FASTCALL, NULL},
         {"observed.jacobian", (PyCFunction)(void (*)(void))call_warpos_gps_observed_jacobian,
@@ -737,7 +741,8 @@ int32_t straight_warpos_gps__open(uintptr_t list, const char *name)
          METH_FASTCALL, NULL},
         {"to_state_frame", (PyCFunction)(void (*)(void))call_warpos_gps_to_state_frame,
          METH_FASTCALL, NULL},
-        {"to_state_frame.bind", bound_warpos_gps_to_state_frame, METH_NOARGS, NULL},
+        {"to_state_frame.bind", bound_warpos_gps_to_state_frame, METH_NOARGS,
+         "bind($self, /)\n--\n\nThe function over these very arrays."},
     };
 
     return open_call(list, name, methods, (int)(sizeof methods / sizeof methods[0]));
