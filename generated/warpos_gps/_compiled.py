@@ -36,8 +36,11 @@ class CompiledFunction(BatchFunction):
         }
         if any(output.places for output in signature.jacobians):
             self._entries[Part.NONZEROS] = library.entry(f"{signature.name}_nz")
+        self._keywords = tuple(name for name in signature.names if name != "x")
         if signature.single_difference:
             self._differences = library.entry(f"{signature.name}_sd")
+            name = f"{signature.name}.single_difference"
+            self._difference_call = library.call(name, signature.result)
 
     def evaluate(
         self, part: Part, arrays: Sequence[Array], extent: Extent, out: list[Array] | None
@@ -52,8 +55,7 @@ class CompiledFunction(BatchFunction):
         general, signature = super().selector(part), self.signature
         apart = part is Part.NONZEROS or bool(signature.values and signature.jacobians)
         call = self._library.call(f"{signature.name}.{part.value}" if apart else signature.name)
-        names = tuple(name for name in signature.names if name != "x")
-        count = len(names)
+        names, count = self._keywords, len(self._keywords)
 
         def select(state: Sequence[Any], inputs: Mapping[str, Any], out: Any = None) -> Any:
             if len(inputs) == count:
@@ -66,6 +68,20 @@ class CompiledFunction(BatchFunction):
             return general(state, inputs, out)
 
         return select if outputs_of(signature, part) else general
+
+    def single_difference(
+        self, state: Sequence[Any], inputs: Mapping[str, Any], reference: int, out: Any = None
+    ) -> Any:
+        """One epoch of arrays as the C wants them goes straight to it."""
+        if len(inputs) == len(self._keywords):
+            try:
+                first, *rest = (*state, *map(inputs.__getitem__, self._keywords))
+            except KeyError:
+                return super().single_difference(state, inputs, reference, out)
+            found = self._difference_call(first, reference, *rest, out)
+            if found is not None:
+                return found
+        return super().single_difference(state, inputs, reference, out)
 
     def difference(
         self, arrays: Sequence[Array], extent: Extent, reference: int, out: list[Array] | None

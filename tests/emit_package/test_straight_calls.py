@@ -8,6 +8,7 @@ import tracemalloc
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -182,6 +183,46 @@ def test_items_that_fail_are_told_in_the_result(
         assert_array_equal(array, other)
     value = native._library.call("ranges.value")(*given.values(), None)
     assert_array_equal(value[0], expected[0])
+
+
+def test_single_differences_go_straight_and_give_the_same(
+    package: ModuleType, rng: np.random.Generator
+) -> None:
+    """As the general way does, whatever the reference and the items; given arrays, too."""
+    native = backend(package, "native")
+    difference = native.ranges.single_difference
+    call = native._library.call("ranges.single_difference", tuple)
+    for items, bad in ((1, None), (2, None), (5, None), (5, 3)):
+        given = packages.arguments(FUNCTIONS["ranges"], rng, items=items)
+        given["satellite"] = given["satellite"].copy()
+        if bad is not None:
+            given["satellite"][bad] = np.nan
+        x, *others = given.values()
+        as_lists = {name: one.tolist() for name, one in given.items()}
+        for reference in {*range(items)} - {bad}:
+            assert call(x, reference, *others, None) is not None
+            expected = called(difference, as_lists, reference=reference)
+            found = called(difference, given, reference=reference)
+            assert type(found) is type(expected) and found.status is expected.status
+            out = [np.full(np.shape(one), 777.0) for one in expected[:-2]]
+            written = called(difference, given, reference=reference, out=out)
+            assert all(one is array for one, array in zip(written, out, strict=False))
+            for one, other, third in zip(found, expected, written, strict=True):
+                assert_array_equal(one, other)
+                assert_array_equal(third, other)
+            assert grown(partial(called, difference, given, reference=reference)) < 4000
+            fewer = [one[:-1] if one.ndim else one for one in out]
+            assert items == 1 or call(x, reference, *others, fewer) is None
+        wrong: list[Any] = [-1, items, bad, 0.0, True, "0", None, 2**40]
+        for reference in wrong:
+            assert call(x, reference, *others, None) is None
+        with pytest.raises(package.GuardError, match="INDEX"):
+            called(difference, given, reference=items)
+        with pytest.raises(TypeError, match="reference is the index of an item"):
+            called(difference, given, reference=0.0)
+        assert called(difference, given, reference=np.int64(0)).status is not None
+    with pytest.raises(TypeError):
+        difference(x, reference=0)
 
 
 def test_results_and_calls_are_what_python_expects(

@@ -30,8 +30,9 @@
 /* Answer to what must take the general way; every status is larger. */
 #define UNFIT (-1)
 
-/* An axis as long as there are items. */
+/* An axis as long as there are items, and one without the item that is subtracted from them. */
 #define ITEMS (-1)
+#define OTHERS (-2)
 
 /* What the C wants: kind of number and its bytes, whether it is written, and the axes of one
    epoch. */
@@ -109,6 +110,8 @@ static inline bool take_shape(
                 extent->items = shape[axis];
             }
             length = extent->items;
+        } else if (length == OTHERS) {
+            length = extent->items - 1;
         }
         fits = fits && (shape[axis] == length);
         *elements *= shape[axis];
@@ -217,6 +220,12 @@ static inline void *epoch_of(const taken_t *taken, const wanted_t *wanted, int32
     return (char *)taken->at + (epoch * taken->step * wanted->size);
 }
 
+/* The number that was taken where the C wants an integer by value. */
+static inline int32_t integer_of(const taken_t *taken)
+{
+    return *(const int32_t *)taken->at;
+}
+
 /* True when these epochs are among those given. */
 static inline bool has_epochs(const extent_t *extent, int32_t first, int32_t count)
 {
@@ -251,7 +260,10 @@ static PyObject *make_array(const wanted_t *wanted, const extent_t *extent, take
     PyObject *array;
 
     for (int axis = 0; axis < wanted->rank; ++axis) {
-        shape[axis] = (wanted->shape[axis] == ITEMS) ? extent->items : wanted->shape[axis];
+        shape[axis] = wanted->shape[axis];
+        if (shape[axis] < 0) {
+            shape[axis] = extent->items - ((shape[axis] == OTHERS) ? 1 : 0);
+        }
     }
     array = PyArray_SimpleNew(wanted->rank, shape, wanted->kind);
     if (array != NULL) {

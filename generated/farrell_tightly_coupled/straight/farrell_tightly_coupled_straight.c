@@ -412,6 +412,43 @@ static PyObject *call_farrell_tightly_coupled_pseudorange_jacobian(
     return finish(&call, kept, arrays, status, (int32_t)FARRELL_TIGHTLY_COUPLED_PARTIAL);
 }
 
+static const wanted_t wanted_farrell_tightly_coupled_pseudorange_sd[] = {
+    {NPY_DOUBLE, 8, false, 1, {18}},
+    {NPY_INT32, 4, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 1, {9}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
+    {NPY_DOUBLE, 8, false, 1, {ITEMS}},
+    {NPY_DOUBLE, 8, true, 1, {OTHERS}},
+    {NPY_DOUBLE, 8, true, 1, {OTHERS}},
+    {NPY_DOUBLE, 8, true, 2, {OTHERS, 17}},
+    {NPY_UINT8, 1, true, 1, {ITEMS}},
+};
+
+static PyObject *call_farrell_tightly_coupled_pseudorange_sd(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_farrell_tightly_coupled_pseudorange_sd, 6, 0, 3, 4};
+    PyObject *arrays[4];
+    taken_t taken[10];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)farrell_tightly_coupled_pseudorange_sd(
+        taken[0].at, (int32_t)extent.items, integer_of(&taken[1]), taken[2].at, taken[3].at,
+        taken[4].at, taken[5].at, taken[6].at, taken[7].at, taken[8].at, taken[9].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status, (int32_t)FARRELL_TIGHTLY_COUPLED_PARTIAL);
+}
+
 static const wanted_t wanted_farrell_tightly_coupled_pseudorange_lever_arm[] = {
     {NPY_DOUBLE, 8, false, 1, {18}},
     {NPY_DOUBLE, 8, false, 1, {9}},
@@ -534,6 +571,42 @@ static PyObject *call_farrell_tightly_coupled_pseudorange_lever_arm_jacobian(
     return finish(&call, kept, arrays, status, (int32_t)FARRELL_TIGHTLY_COUPLED_PARTIAL);
 }
 
+static const wanted_t wanted_farrell_tightly_coupled_pseudorange_lever_arm_sd[] = {
+    {NPY_DOUBLE, 8, false, 1, {18}},
+    {NPY_INT32, 4, false, 0, {0}},
+    {NPY_DOUBLE, 8, false, 1, {9}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 1, {3}},
+    {NPY_DOUBLE, 8, false, 2, {ITEMS, 3}},
+    {NPY_DOUBLE, 8, true, 1, {OTHERS}},
+    {NPY_DOUBLE, 8, true, 2, {OTHERS, 17}},
+    {NPY_UINT8, 1, true, 1, {ITEMS}},
+};
+
+static PyObject *call_farrell_tightly_coupled_pseudorange_lever_arm_sd(
+    PyObject *kept,
+    PyObject *const given[],
+    Py_ssize_t count)
+{
+    static const call_t call = {
+        wanted_farrell_tightly_coupled_pseudorange_lever_arm_sd, 6, 0, 2, 3};
+    PyObject *arrays[3];
+    taken_t taken[9];
+    extent_t extent;
+    PyThreadState *aside;
+    int32_t status;
+
+    if (!begin(&call, kept, given, count, arrays, taken, &extent)) {
+        Py_RETURN_NONE;
+    }
+    aside = step_aside(&extent);
+    status = (int32_t)farrell_tightly_coupled_pseudorange_lever_arm_sd(
+        taken[0].at, (int32_t)extent.items, integer_of(&taken[1]), taken[2].at, taken[3].at,
+        taken[4].at, taken[5].at, taken[6].at, taken[7].at, taken[8].at);
+    step_back(aside);
+    return finish(&call, kept, arrays, status, (int32_t)FARRELL_TIGHTLY_COUPLED_PARTIAL);
+}
+
 int32_t straight_farrell_tightly_coupled__open(uintptr_t list, const char *name)
 {
     static PyMethodDef methods[] = {
@@ -553,6 +626,8 @@ int32_t straight_farrell_tightly_coupled__open(uintptr_t list, const char *name)
          METH_FASTCALL, NULL},
         {"pseudorange.jacobian", (PyCFunction)(void (*)(void))call_farrell_tightly_coupled_pseudorange_jacobian,
          METH_FASTCALL, NULL},
+        {"pseudorange.single_difference", (PyCFunction)(void (*)(void))call_farrell_tightly_coupled_pseudorange_sd,
+         METH_FASTCALL, NULL},
         {"pseudorange_lever_arm", (PyCFunction)(void (*)(void))call_farrell_tightly_coupled_pseudorange_lever_arm,
          METH_FASTCALL, NULL},
         {"pseudorange_lever_arm.bind", bound_farrell_tightly_coupled_pseudorange_lever_arm, METH_NOARGS,
@@ -560,6 +635,8 @@ int32_t straight_farrell_tightly_coupled__open(uintptr_t list, const char *name)
         {"pseudorange_lever_arm.value", (PyCFunction)(void (*)(void))call_farrell_tightly_coupled_pseudorange_lever_arm_value,
          METH_FASTCALL, NULL},
         {"pseudorange_lever_arm.jacobian", (PyCFunction)(void (*)(void))call_farrell_tightly_coupled_pseudorange_lever_arm_jacobian,
+         METH_FASTCALL, NULL},
+        {"pseudorange_lever_arm.single_difference", (PyCFunction)(void (*)(void))call_farrell_tightly_coupled_pseudorange_lever_arm_sd,
          METH_FASTCALL, NULL},
     };
 

@@ -23,7 +23,8 @@ class Way:
     """A straight way to one entry point.
 
     Attributes:
-        name: of the form: ``gps``, ``gps.value``, ``gps.jacobian`` or ``gps.nonzeros``.
+        name: of the form: ``gps``, ``gps.value``, ``gps.jacobian``, ``gps.nonzeros`` or
+            ``gps.single_difference``.
         entry: the entry point.
         joint: True when it gives all outputs in full.
         inputs: how many rows of the table are inputs.
@@ -80,6 +81,8 @@ def _calls(module: ir.Module, function: ir.Function) -> Iterator[Way]:
     stored = other and all(o.entries for o in other) and function.outputs == (*one, *other)
     if stored and function.maximum is None:
         yield _way(module, function, "_nz", function.outputs, form=".nonzeros", idle=len(one))
+    if function.single_difference:
+        yield _way(module, function, "_sd", function.outputs, form=".single_difference")
 
 
 def _batches(module: ir.Module, function: ir.Function) -> Iterator[Way]:
@@ -101,14 +104,21 @@ def _way(
 ) -> Way:
     """The straight way to the entry point with a suffix, which writes some outputs."""
     mapped, many = function.maximum is not None, suffix.startswith("_batch")
+    differenced = suffix == "_sd"
     real = ("NPY_DOUBLE", "8") if module.scalar is ir.Scalar.DOUBLE else ("NPY_FLOAT", "4")
     rows = []
     for argument in function.arguments:
         kind = ("NPY_INT32", "4") if argument.integer else real
         rows.append(_row(kind, _argument_axes(function, argument), written=False))
+    if differenced:  # the reference, behind the first argument
+        rows.insert(1, _row(("NPY_INT32", "4"), [], written=False))
+    inputs = len(rows)
     for output in outputs:
         nonzeros = suffix.endswith("_nz") and is_jacobian(output)
-        rows.append(_row(real, _output_axes(function, output, nonzeros=nonzeros), written=True))
+        axes = _output_axes(function, output, nonzeros=nonzeros)
+        if differenced:
+            axes = ["OTHERS" if axis == "ITEMS" else axis for axis in axes]
+        rows.append(_row(real, axes, written=True))
     byte = ("NPY_UINT8", "1")
     rows += [_row(byte, [], written=True)] if many else []
     rows += [_row(byte, ["ITEMS"], written=True)] if mapped else []
@@ -116,11 +126,11 @@ def _way(
         name=function.name + form,
         entry=f"{module.name}_{function.name}{suffix}",
         joint=not form,
-        inputs=len(function.arguments),
+        inputs=inputs,
         idle=idle,
         outputs=len(outputs) - idle,
         wanted=tuple(rows),
-        passed=tuple(_passed(len(function.arguments), len(rows), mapped=mapped, many=many)),
+        passed=tuple(_passed(inputs, rows, mapped=mapped, many=many, by_value=differenced)),
     )
 
 
@@ -143,13 +153,19 @@ def _output_axes(function: ir.Function, output: ir.Output, *, nonzeros: bool) ->
     return [*items, *map(str, output.shape)]
 
 
-def _passed(arguments: int, rows: int, *, mapped: bool, many: bool) -> Iterator[str]:
-    """Lines of what the entry point is given, one argument after the other, wrapped."""
+def _passed(
+    inputs: int, rows: Sequence[str], *, mapped: bool, many: bool, by_value: bool
+) -> Iterator[str]:
+    """Lines of what the entry point is given, one argument after the other, wrapped.
+
+    ``by_value`` is for the integer behind the first argument and the number of items.
+    """
     passed = ["count"] if many else []
-    for place in range(rows):
+    for place in range(len(rows)):
         at = f"epoch_of(&taken[{place}], &wanted[{place}], first)"
-        passed.append(at if many else f"taken[{place}].at")
-        if many and place < arguments:
+        once = f"integer_of(&taken[{place}])" if by_value and place == 1 else f"taken[{place}].at"
+        passed.append(at if many else once)
+        if many and place < inputs:
             passed.append(f"(int32_t)taken[{place}].step")
         if mapped and place == 0:
             passed.append("(int32_t)extent.items")
