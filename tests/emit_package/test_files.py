@@ -29,7 +29,8 @@ def test_tree() -> None:
     """Every back end has its module and its stub."""
     assert {path for path in TEXT if not path.startswith("_")} == {
         "casadi.py", "casadi.pyi", "native.py", "native.pyi", "native_f32.py", "native_f32.pyi",
-        "numpy.py", "numpy.pyi", "py.typed", "straight/straight.h", "straight/rover_straight.c",
+        "numpy.py", "numpy.pyi", "py.typed", "straight/calls.h", "straight/straight.h",
+        "straight/rover_straight.c",
         "straight/rover_straight.h", "straight/rover_f32_straight.c",
         "straight/rover_f32_straight.h",
     }  # fmt: skip

@@ -1,7 +1,7 @@
 /* Straight ways into the C of ekf_cal_gps, for Python; see straight.h. */
 
 #include "ekf_cal_gps_straight.h"
-#include "straight.h"
+#include "calls.h"
 
 #include "ekf_cal_gps/ekf_cal_gps.h"
 

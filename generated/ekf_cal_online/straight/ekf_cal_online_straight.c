@@ -1,7 +1,7 @@
 /* Straight ways into the C of ekf_cal_online, for Python; see straight.h. */
 
 #include "ekf_cal_online_straight.h"
-#include "straight.h"
+#include "calls.h"
 
 #include "ekf_cal_online/ekf_cal_online.h"
 

@@ -1,7 +1,7 @@
 /* Straight ways into the C of farrell_tightly_coupled, for Python; see straight.h. */
 
 #include "farrell_tightly_coupled_straight.h"
-#include "straight.h"
+#include "calls.h"
 
 #include "farrell_tightly_coupled/farrell_tightly_coupled.h"
 

@@ -1,7 +1,7 @@
 /* Straight ways into the C of navtk_specific_force, for Python; see straight.h. */
 
 #include "navtk_specific_force_straight.h"
-#include "straight.h"
+#include "calls.h"
 
 #include "navtk_specific_force/navtk_specific_force.h"
 

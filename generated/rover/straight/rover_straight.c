@@ -1,7 +1,7 @@
 /* Straight ways into the C of rover, for Python; see straight.h. */
 
 #include "rover_straight.h"
-#include "straight.h"
+#include "calls.h"
 
 #include "rover/rover.h"
 

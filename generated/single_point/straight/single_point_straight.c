@@ -1,7 +1,7 @@
 /* Straight ways into the C of single_point, for Python; see straight.h. */
 
 #include "single_point_straight.h"
-#include "straight.h"
+#include "calls.h"
 
 #include "single_point/single_point.h"
 

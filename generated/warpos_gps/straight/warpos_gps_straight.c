@@ -1,7 +1,7 @@
 /* Straight ways into the C of warpos_gps, for Python; see straight.h. */
 
 #include "warpos_gps_straight.h"
-#include "straight.h"
+#include "calls.h"
 
 #include "warpos_gps/warpos_gps.h"
 

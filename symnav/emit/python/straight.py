@@ -60,6 +60,7 @@ def sources(module: ir.Module) -> dict[str, str]:
         f"{stem}.c": render("straight/functions.c.j2", prefix=module.name, **ways),
         f"{stem}.h": render("straight/functions.h.j2", prefix=module.name, **ways),
         "straight/straight.h": plain("straight/straight.h"),
+        "straight/calls.h": plain("straight/calls.h"),
     }
 
 
