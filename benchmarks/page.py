@@ -211,7 +211,8 @@ def numpy_route(figures: Mapping[str, Mapping[str, Mapping[str, float]]]) -> Ite
     """The NumPy back end against ``lambdify``, by number of epochs."""
     for epochs in next(iter(figures.values())):
         found = {model: figures[model][epochs] for model in MODELS}
-        yield f"## The NumPy route, {int(epochs):,} epochs in one call (ns for one epoch)"
+        many = "one epoch" if int(epochs) == 1 else f"{int(epochs):,} epochs in one call"
+        yield f"## The NumPy route, {many} (ns for one epoch)"
         yield ""
         names = dict.fromkeys(name for times in found.values() for name in times)
         rows = [
