@@ -55,17 +55,11 @@ class CompiledFunction(BatchFunction):
         general, signature = super().selector(part), self.signature
         apart = part is Part.NONZEROS or bool(signature.values and signature.jacobians)
         call = self._library.call(f"{signature.name}.{part.value}" if apart else signature.name)
-        names, count = self._keywords, len(self._keywords)
 
         def select(state: Sequence[Any], inputs: Mapping[str, Any], out: Any = None) -> Any:
-            if len(inputs) == count:
-                try:
-                    found = call(*state, *map(inputs.__getitem__, names), out)
-                except KeyError:
-                    found = None
-                if found is not None:
-                    return found
-            return general(state, inputs, out)
+            given = self._in_order(state, inputs)
+            found = None if given is None else call(*given, out)
+            return general(state, inputs, out) if found is None else found
 
         return select if outputs_of(signature, part) else general
 
@@ -73,15 +67,21 @@ class CompiledFunction(BatchFunction):
         self, state: Sequence[Any], inputs: Mapping[str, Any], reference: int, out: Any = None
     ) -> Any:
         """One epoch of arrays as the C wants them goes straight to it."""
-        if len(inputs) == len(self._keywords):
-            try:
-                first, *rest = (*state, *map(inputs.__getitem__, self._keywords))
-            except KeyError:
-                return super().single_difference(state, inputs, reference, out)
-            found = self._difference_call(first, reference, *rest, out)
+        given = self._in_order(state, inputs)
+        if given:
+            found = self._difference_call(given[0], reference, *given[1:], out)
             if found is not None:
                 return found
         return super().single_difference(state, inputs, reference, out)
+
+    def _in_order(self, state: Sequence[Any], inputs: Mapping[str, Any]) -> tuple[Any, ...] | None:
+        """All arguments in order; nothing where names are missing or unknown."""
+        if len(inputs) != len(self._keywords):
+            return None
+        try:
+            return (*state, *map(inputs.__getitem__, self._keywords))
+        except KeyError:
+            return None
 
     def difference(
         self, arrays: Sequence[Array], extent: Extent, reference: int, out: list[Array] | None

@@ -15,14 +15,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from symnav import ir
 from symnav.derive import Derivation, DerivedOutput
 from symnav.verify.comparison import Array, Indices
-from symnav.verify.sheet import Finding
+from symnav.verify.sheet import DIFFERENCED, Finding
 
-BACKENDS = ("native", "numpy")
 _CROWD = 40  # items, more than two of the blocks that the C evaluates side by side
 _EPOCHS = 8
-_OK, _PARTIAL = 0, 7
 
 Arguments = Mapping[str, NDArray[Any]]
 
@@ -95,7 +94,7 @@ def _differences(
 ) -> Iterator[Difference]:
     """Every output: rows where both items are healthy, and zeros where only the reference is."""
     epochs, items = scene.inside.shape
-    good = (np.asarray(plain.item_status) == _OK) & _whole(plain)[:, None]
+    good = (np.asarray(plain.item_status) == ir.Status.OK) & _whole(plain)[:, None]
     others = np.delete(np.arange(items), reference)
     inside = scene.inside[:, others] & scene.inside[:, [reference]]
     healthy = good[:, others] & good[:, [reference]] & inside
@@ -114,7 +113,7 @@ def _differences(
         for chosen, size in ((healthy, scale), (void, np.ones_like(scale))):
             if chosen.any():
                 yield Difference(
-                    output, f"{backend} difference vs rows",
+                    output, DIFFERENCED[backend],
                     error[chosen], size[chosen], places[:, others][chosen],
                 )  # fmt: skip
 
@@ -123,8 +122,8 @@ def _wrong_verdict(plain: Any, found: Any, reference: int) -> str:
     """What is wrong with the statuses of differences, given those of rows."""
     whole, item = np.asarray(plain.status), np.asarray(plain.item_status)
     behind = item[:, reference]
-    going_on = _whole(plain) & (behind == _OK)
-    expected = np.where(_whole(plain) & (behind != _OK), behind, whole)
+    going_on = _whole(plain) & (behind == ir.Status.OK)
+    expected = np.where(_whole(plain) & (behind != ir.Status.OK), behind, whole)
     if (np.asarray(found.status) != expected).any():
         k = int(np.flatnonzero(np.asarray(found.status) != expected)[0])
         return f"status {int(np.asarray(found.status)[k])} instead of {int(expected[k])}"
@@ -135,7 +134,7 @@ def _wrong_verdict(plain: Any, found: Any, reference: int) -> str:
 
 def _whole(result: Any) -> NDArray[np.bool_]:
     """Epochs that were evaluated, be it with items that failed."""
-    return np.isin(np.asarray(result.status), (_OK, _PARTIAL))
+    return np.isin(np.asarray(result.status), (ir.Status.OK, ir.Status.PARTIAL))
 
 
 def _scenes(

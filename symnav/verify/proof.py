@@ -14,17 +14,18 @@ import numpy as np
 from mpmath import mp
 from numpy.typing import NDArray
 
+from symnav import ir
 from symnav.binding import STATE
 from symnav.derive import Derivation, DerivedOutput
 from symnav.spec.records import Spec
-from symnav.verify import differencing
 from symnav.verify.comparison import Array, Indices, Worst, differences, forget_remainders
+from symnav.verify.differencing import differenced
 from symnav.verify.exact import DIGITS, Exact
 from symnav.verify.manifold import prove_layout
 from symnav.verify.references import References, quantities
 from symnav.verify.sampling import Samples, draw
 from symnav.verify.scale import ScaleOf, Scales
-from symnav.verify.sheet import LIMITS, Finding, ProofSheet, Row, roundings, underflow
+from symnav.verify.sheet import DIFFERENCED, LIMITS, Finding, ProofSheet, Row, roundings, underflow
 
 #: What references call the outputs that have another name here.
 _REFERENCE_NAMES = {"value_covariance": "covariance", "jacobian_fix": "noise_map"}
@@ -201,12 +202,10 @@ def _compare_differences(
     per_item = [name for name, array in samples.arguments.items() if array.ndim == 3]
     inside = np.zeros((samples.count, samples.items or 1), dtype=np.bool_)
     inside.ravel()[good] = True
-    for name in differencing.BACKENDS:
+    for name in DIFFERENCED:
         if name in backends:
             function = getattr(backends[name], derivation.name)
-            found = differencing.differenced(
-                derivation, name, function, _given(samples), per_item, inside
-            )
+            found = differenced(derivation, name, function, _given(samples), per_item, inside)
             for one in found:
                 if isinstance(one, Finding):
                     findings.append(one)
@@ -276,7 +275,7 @@ def _evaluate(function: Any, samples: Samples, derivation: Derivation) -> _Evalu
     status = whole = np.asarray(result.status)
     if samples.items is not None:
         item = np.asarray(result.item_status)
-        refused = np.where((status == 0) | (status == 7), 0, status)
+        refused = np.where(np.isin(status, (ir.Status.OK, ir.Status.PARTIAL)), 0, status)
         status = np.where(refused[:, None] != 0, refused[:, None], item).reshape(-1)
     return _Evaluated(outputs, status == 0, status, whole)
 

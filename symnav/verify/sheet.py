@@ -9,6 +9,11 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from rich.console import Console
 
+#: Comparisons of the differenced form with what it is made of, by back end.
+DIFFERENCED: Mapping[str, str] = {
+    backend: f"{backend} difference vs rows" for backend in ("native", "numpy")
+}
+
 #: Limits of the columns, relative to the scale of an error (``scale.py``).
 LIMITS: Mapping[str, float] = {
     "native vs numpy": 8 * 2.0**-52,
@@ -21,15 +26,11 @@ LIMITS: Mapping[str, float] = {
     "float vs 50 digits": 64 * 2.0**-23,
     "float vs differences": 64 * 2.0**-23,
     "numpy vs reference": 1e-13,
-    "native difference vs rows": 2.0**-52,
-    "numpy difference vs rows": 2.0**-52,
+    **dict.fromkeys(DIFFERENCED.values(), 2.0**-52),
     "native retract then local": 1e-13,
     "numpy retract then local": 1e-13,
     "native retract vs 50 digits": 1e-13,
 }
-
-#: Comparisons of the differenced form with what it is made of.
-DIFFERENCED = ("native difference vs rows", "numpy difference vs rows")
 
 
 def roundings(comparison: str) -> float:
@@ -196,7 +197,7 @@ class ProofSheet:
                 highlight=False,
                 markup=False,
             )
-        differenced = [row for row in self.rows if row.comparison in DIFFERENCED]
+        differenced = [row for row in self.rows if row.comparison in DIFFERENCED.values()]
         if differenced:
             names = ", ".join(dict.fromkeys(row.function for row in differenced))
             worst = max(row.ulp for row in differenced)

@@ -2,8 +2,8 @@
 
 The compiled extension has them beside the exported C, which knows nothing of Python. Each checks
 kind, shape and memory of every array and calls an entry point, which takes less than a single
-look at an array from Python. For one epoch there is a call of Python's own as well, which makes
-the arrays of its result.
+look at an array from Python. Those for one epoch are calls of Python's own, which make the arrays
+of their results.
 """
 
 from __future__ import annotations
