@@ -144,9 +144,9 @@ PYTHON_NAMES = words(
 CASADI_NAMES = words("sq sign casadi_version casadi_int_size casadi_real_size")
 _CASADI_NUMBERED = re.compile(r"[cfs]\d+", re.IGNORECASE)
 
-#: Packages whose enumerators and macros are those of the system's or Python's headers: R_OK ...
+#: Packages whose names are those of headers of the system, Python or NumPy: R_OK, npy_intp ...
 _SYSTEM_PACKAGES = words("f r w x")
-_SYSTEM_PREFIXES = ("have_", "py_", "pyctype_", "pymacconfig_")
+_SYSTEM_PREFIXES = ("have_", "npy_", "py_", "pyctype_", "pymacconfig_")
 
 #: Suffixes of the entry points made from one function, the last ones by CasADi's generator.
 FUNCTION_SUFFIXES = (
@@ -249,11 +249,11 @@ def _function_fault(name: str) -> str | None:
 
 
 def _package_fault(name: str) -> str | None:
-    """Why the macros that a package's name leads would be those of other headers."""
+    """Why the names that a package's name leads would be those of other headers."""
     if name.lower() in _SYSTEM_PACKAGES:
         return f"{name!r} gives {macro(name, 'ok')}, a macro of unistd.h; choose another name"
     if f"{name}_".lower().startswith(_SYSTEM_PREFIXES):
-        return f"{name!r} leads macros of Python's own headers; choose another name"
+        return f"{name!r} leads names of the headers of Python and NumPy; choose another name"
     if name.isupper():
         return f"{name!r} is upper case, which C keeps for macros; use lower case"
     return None

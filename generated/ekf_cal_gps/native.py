@@ -20,11 +20,13 @@ _retract_function = _compiled.CompiledFunction(_library, _interface.RETRACT)
 _retract_straight = _library.call("retract", _interface.RetractResult)
 
 
-def _retract_call(x: Any = None, /, *, d: Any = None, out: Any = None, **_other: Any) -> Any:
-    _found = None if _other else _retract_straight(x, d, out)
+def _retract_call(
+    x: Any = None, /, *_more: Any, d: Any = None, out: Any = None, **_other: Any
+) -> Any:
+    _found = None if _more or _other else _retract_straight(x, d, out)
     if _found is not None:
         return _found
-    return _retract_function.call((x,), {"d": d, **_other}, out)
+    return _retract_function.call((x, *_more), {"d": d, **_other}, out)
 
 
 retract = _calls.publish(_retract_function, __name__, _retract_call)
@@ -34,11 +36,13 @@ _local_function = _compiled.CompiledFunction(_library, _interface.LOCAL)
 _local_straight = _library.call("local", _interface.LocalResult)
 
 
-def _local_call(x: Any = None, /, *, y: Any = None, out: Any = None, **_other: Any) -> Any:
-    _found = None if _other else _local_straight(x, y, out)
+def _local_call(
+    x: Any = None, /, *_more: Any, y: Any = None, out: Any = None, **_other: Any
+) -> Any:
+    _found = None if _more or _other else _local_straight(x, y, out)
     if _found is not None:
         return _found
-    return _local_function.call((x,), {"y": y, **_other}, out)
+    return _local_function.call((x, *_more), {"y": y, **_other}, out)
 
 
 local = _calls.publish(_local_function, __name__, _local_call)
@@ -48,11 +52,13 @@ _gps_function = _compiled.CompiledFunction(_library, _interface.GPS)
 _gps_straight = _library.call("gps", _interface.GpsResult)
 
 
-def _gps_call(x: Any = None, /, *, measured: Any = None, out: Any = None, **_other: Any) -> Any:
-    _found = None if _other else _gps_straight(x, measured, out)
+def _gps_call(
+    x: Any = None, /, *_more: Any, measured: Any = None, out: Any = None, **_other: Any
+) -> Any:
+    _found = None if _more or _other else _gps_straight(x, measured, out)
     if _found is not None:
         return _found
-    return _gps_function.call((x,), {"measured": measured, **_other}, out)
+    return _gps_function.call((x, *_more), {"measured": measured, **_other}, out)
 
 
 gps = _calls.publish(_gps_function, __name__, _gps_call)
@@ -63,13 +69,19 @@ _gps_known_antenna_straight = _library.call("gps_known_antenna", _interface.GpsK
 
 
 def _gps_known_antenna_call(
-    x: Any = None, /, *, lever_arm: Any = None, measured: Any = None, out: Any = None, **_other: Any
+    x: Any = None,
+    /,
+    *_more: Any,
+    lever_arm: Any = None,
+    measured: Any = None,
+    out: Any = None,
+    **_other: Any,
 ) -> Any:
-    _found = None if _other else _gps_known_antenna_straight(x, lever_arm, measured, out)
+    _found = None if _more or _other else _gps_known_antenna_straight(x, lever_arm, measured, out)
     if _found is not None:
         return _found
     return _gps_known_antenna_function.call(
-        (x,), {"lever_arm": lever_arm, "measured": measured, **_other}, out
+        (x, *_more), {"lever_arm": lever_arm, "measured": measured, **_other}, out
     )
 
 
@@ -81,7 +93,7 @@ _local_fix_straight = _library.call("local_fix", _interface.LocalFixResult)
 
 
 def _local_fix_call(
-    *,
+    *_more: Any,
     heading: Any = None,
     fix: Any = None,
     reference: Any = None,
@@ -89,11 +101,13 @@ def _local_fix_call(
     out: Any = None,
     **_other: Any,
 ) -> Any:
-    _found = None if _other else _local_fix_straight(heading, fix, reference, covariance, out)
+    _found = None if _more or _other else _local_fix_straight(
+        heading, fix, reference, covariance, out
+    )
     if _found is not None:
         return _found
     return _local_fix_function.call(
-        (),
+        _more,
         {"heading": heading, "fix": fix, "reference": reference, "covariance": covariance,
         **_other},
         out,

@@ -20,11 +20,13 @@ _retract_function = _compiled.CompiledFunction(_library, _interface.RETRACT)
 _retract_straight = _library.call("retract", _interface.RetractResult)
 
 
-def _retract_call(x: Any = None, /, *, d: Any = None, out: Any = None, **_other: Any) -> Any:
-    _found = None if _other else _retract_straight(x, d, out)
+def _retract_call(
+    x: Any = None, /, *_more: Any, d: Any = None, out: Any = None, **_other: Any
+) -> Any:
+    _found = None if _more or _other else _retract_straight(x, d, out)
     if _found is not None:
         return _found
-    return _retract_function.call((x,), {"d": d, **_other}, out)
+    return _retract_function.call((x, *_more), {"d": d, **_other}, out)
 
 
 retract = _calls.publish(_retract_function, __name__, _retract_call)
@@ -34,11 +36,13 @@ _local_function = _compiled.CompiledFunction(_library, _interface.LOCAL)
 _local_straight = _library.call("local", _interface.LocalResult)
 
 
-def _local_call(x: Any = None, /, *, y: Any = None, out: Any = None, **_other: Any) -> Any:
-    _found = None if _other else _local_straight(x, y, out)
+def _local_call(
+    x: Any = None, /, *_more: Any, y: Any = None, out: Any = None, **_other: Any
+) -> Any:
+    _found = None if _more or _other else _local_straight(x, y, out)
     if _found is not None:
         return _found
-    return _local_function.call((x,), {"y": y, **_other}, out)
+    return _local_function.call((x, *_more), {"y": y, **_other}, out)
 
 
 local = _calls.publish(_local_function, __name__, _local_call)
@@ -51,7 +55,7 @@ _pseudorange_straight = _library.call("pseudorange", _interface.PseudorangeResul
 def _pseudorange_call(
     x: Any = None,
     /,
-    *,
+    *_more: Any,
     c_n_e: Any = None,
     origin: Any = None,
     satellite_position: Any = None,
@@ -59,13 +63,13 @@ def _pseudorange_call(
     out: Any = None,
     **_other: Any,
 ) -> Any:
-    _found = None if _other else _pseudorange_straight(
+    _found = None if _more or _other else _pseudorange_straight(
         x, c_n_e, origin, satellite_position, measured, out
     )
     if _found is not None:
         return _found
     return _pseudorange_function.call(
-        (x,),
+        (x, *_more),
         {"c_n_e": c_n_e, "origin": origin, "satellite_position": satellite_position, "measured":
         measured, **_other},
         out,
@@ -86,7 +90,7 @@ _pseudorange_lever_arm_straight = _library.call(
 def _pseudorange_lever_arm_call(
     x: Any = None,
     /,
-    *,
+    *_more: Any,
     c_n_e: Any = None,
     origin: Any = None,
     lever_arm: Any = None,
@@ -94,13 +98,13 @@ def _pseudorange_lever_arm_call(
     out: Any = None,
     **_other: Any,
 ) -> Any:
-    _found = None if _other else _pseudorange_lever_arm_straight(
+    _found = None if _more or _other else _pseudorange_lever_arm_straight(
         x, c_n_e, origin, lever_arm, satellite_position, out
     )
     if _found is not None:
         return _found
     return _pseudorange_lever_arm_function.call(
-        (x,),
+        (x, *_more),
         {"c_n_e": c_n_e, "origin": origin, "lever_arm": lever_arm, "satellite_position":
         satellite_position, **_other},
         out,

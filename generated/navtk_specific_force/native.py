@@ -20,11 +20,13 @@ _retract_function = _compiled.CompiledFunction(_library, _interface.RETRACT)
 _retract_straight = _library.call("retract", _interface.RetractResult)
 
 
-def _retract_call(x: Any = None, /, *, d: Any = None, out: Any = None, **_other: Any) -> Any:
-    _found = None if _other else _retract_straight(x, d, out)
+def _retract_call(
+    x: Any = None, /, *_more: Any, d: Any = None, out: Any = None, **_other: Any
+) -> Any:
+    _found = None if _more or _other else _retract_straight(x, d, out)
     if _found is not None:
         return _found
-    return _retract_function.call((x,), {"d": d, **_other}, out)
+    return _retract_function.call((x, *_more), {"d": d, **_other}, out)
 
 
 retract = _calls.publish(_retract_function, __name__, _retract_call)
@@ -34,11 +36,13 @@ _local_function = _compiled.CompiledFunction(_library, _interface.LOCAL)
 _local_straight = _library.call("local", _interface.LocalResult)
 
 
-def _local_call(x: Any = None, /, *, y: Any = None, out: Any = None, **_other: Any) -> Any:
-    _found = None if _other else _local_straight(x, y, out)
+def _local_call(
+    x: Any = None, /, *_more: Any, y: Any = None, out: Any = None, **_other: Any
+) -> Any:
+    _found = None if _more or _other else _local_straight(x, y, out)
     if _found is not None:
         return _found
-    return _local_function.call((x,), {"y": y, **_other}, out)
+    return _local_function.call((x, *_more), {"y": y, **_other}, out)
 
 
 local = _calls.publish(_local_function, __name__, _local_call)
@@ -49,7 +53,7 @@ _calc_force_straight = _library.call("calc_force", _interface.CalcForceResult)
 
 
 def _calc_force_call(
-    *,
+    *_more: Any,
     dcm: Any = None,
     delta_theta: Any = None,
     delta_velocity: Any = None,
@@ -57,11 +61,13 @@ def _calc_force_call(
     out: Any = None,
     **_other: Any,
 ) -> Any:
-    _found = None if _other else _calc_force_straight(dcm, delta_theta, delta_velocity, dt, out)
+    _found = None if _more or _other else _calc_force_straight(
+        dcm, delta_theta, delta_velocity, dt, out
+    )
     if _found is not None:
         return _found
     return _calc_force_function.call(
-        (),
+        _more,
         {"dcm": dcm, "delta_theta": delta_theta, "delta_velocity": delta_velocity, "dt": dt,
         **_other},
         out,
@@ -78,18 +84,18 @@ _force_straight = _library.call("force", _interface.ForceResult)
 def _force_call(
     x: Any = None,
     /,
-    *,
+    *_more: Any,
     delta_theta: Any = None,
     delta_velocity: Any = None,
     dt: Any = None,
     out: Any = None,
     **_other: Any,
 ) -> Any:
-    _found = None if _other else _force_straight(x, delta_theta, delta_velocity, dt, out)
+    _found = None if _more or _other else _force_straight(x, delta_theta, delta_velocity, dt, out)
     if _found is not None:
         return _found
     return _force_function.call(
-        (x,),
+        (x, *_more),
         {"delta_theta": delta_theta, "delta_velocity": delta_velocity, "dt": dt, **_other},
         out,
     )

@@ -20,11 +20,13 @@ _retract_function = _compiled.CompiledFunction(_library, _interface.RETRACT)
 _retract_straight = _library.call("retract", _interface.RetractResult)
 
 
-def _retract_call(x: Any = None, /, *, d: Any = None, out: Any = None, **_other: Any) -> Any:
-    _found = None if _other else _retract_straight(x, d, out)
+def _retract_call(
+    x: Any = None, /, *_more: Any, d: Any = None, out: Any = None, **_other: Any
+) -> Any:
+    _found = None if _more or _other else _retract_straight(x, d, out)
     if _found is not None:
         return _found
-    return _retract_function.call((x,), {"d": d, **_other}, out)
+    return _retract_function.call((x, *_more), {"d": d, **_other}, out)
 
 
 retract = _calls.publish(_retract_function, __name__, _retract_call)
@@ -34,11 +36,13 @@ _local_function = _compiled.CompiledFunction(_library, _interface.LOCAL)
 _local_straight = _library.call("local", _interface.LocalResult)
 
 
-def _local_call(x: Any = None, /, *, y: Any = None, out: Any = None, **_other: Any) -> Any:
-    _found = None if _other else _local_straight(x, y, out)
+def _local_call(
+    x: Any = None, /, *_more: Any, y: Any = None, out: Any = None, **_other: Any
+) -> Any:
+    _found = None if _more or _other else _local_straight(x, y, out)
     if _found is not None:
         return _found
-    return _local_function.call((x,), {"y": y, **_other}, out)
+    return _local_function.call((x, *_more), {"y": y, **_other}, out)
 
 
 local = _calls.publish(_local_function, __name__, _local_call)
@@ -51,7 +55,7 @@ _pseudorange_straight = _library.call("pseudorange", _interface.PseudorangeResul
 def _pseudorange_call(
     x: Any = None,
     /,
-    *,
+    *_more: Any,
     satellite_position: Any = None,
     satellite_clock: Any = None,
     troposphere: Any = None,
@@ -59,13 +63,13 @@ def _pseudorange_call(
     out: Any = None,
     **_other: Any,
 ) -> Any:
-    _found = None if _other else _pseudorange_straight(
+    _found = None if _more or _other else _pseudorange_straight(
         x, satellite_position, satellite_clock, troposphere, ionosphere, out
     )
     if _found is not None:
         return _found
     return _pseudorange_function.call(
-        (x,),
+        (x, *_more),
         {"satellite_position": satellite_position, "satellite_clock": satellite_clock,
         "troposphere": troposphere, "ionosphere": ionosphere, **_other},
         out,
@@ -86,7 +90,7 @@ _pseudorange_without_sagnac_straight = _library.call(
 def _pseudorange_without_sagnac_call(
     x: Any = None,
     /,
-    *,
+    *_more: Any,
     satellite_position: Any = None,
     satellite_clock: Any = None,
     troposphere: Any = None,
@@ -94,13 +98,13 @@ def _pseudorange_without_sagnac_call(
     out: Any = None,
     **_other: Any,
 ) -> Any:
-    _found = None if _other else _pseudorange_without_sagnac_straight(
+    _found = None if _more or _other else _pseudorange_without_sagnac_straight(
         x, satellite_position, satellite_clock, troposphere, ionosphere, out
     )
     if _found is not None:
         return _found
     return _pseudorange_without_sagnac_function.call(
-        (x,),
+        (x, *_more),
         {"satellite_position": satellite_position, "satellite_clock": satellite_clock,
         "troposphere": troposphere, "ionosphere": ionosphere, **_other},
         out,
@@ -117,7 +121,7 @@ _broadcast_orbit_straight = _library.call("broadcast_orbit", _interface.Broadcas
 
 
 def _broadcast_orbit_call(
-    *,
+    *_more: Any,
     time: Any = None,
     toe: Any = None,
     toc: Any = None,
@@ -143,7 +147,7 @@ def _broadcast_orbit_call(
     out: Any = None,
     **_other: Any,
 ) -> Any:
-    _found = None if _other else _broadcast_orbit_straight(
+    _found = None if _more or _other else _broadcast_orbit_straight(
         time, toe, toc, sqrt_a, eccentricity, mean_anomaly, mean_motion_difference, inclination,
         inclination_rate, right_ascension, right_ascension_rate, argument_of_perigee, cuc, cus, crc,
         crs, cic, cis, af0, af1, af2, group_delay, out,
@@ -151,7 +155,7 @@ def _broadcast_orbit_call(
     if _found is not None:
         return _found
     return _broadcast_orbit_function.call(
-        (),
+        _more,
         {"time": time, "toe": toe, "toc": toc, "sqrt_a": sqrt_a, "eccentricity": eccentricity,
         "mean_anomaly": mean_anomaly, "mean_motion_difference": mean_motion_difference,
         "inclination": inclination, "inclination_rate": inclination_rate, "right_ascension":

@@ -20,11 +20,13 @@ _retract_function = _compiled.CompiledFunction(_library, _interface.RETRACT)
 _retract_straight = _library.call("retract", _interface.RetractResult)
 
 
-def _retract_call(x: Any = None, /, *, d: Any = None, out: Any = None, **_other: Any) -> Any:
-    _found = None if _other else _retract_straight(x, d, out)
+def _retract_call(
+    x: Any = None, /, *_more: Any, d: Any = None, out: Any = None, **_other: Any
+) -> Any:
+    _found = None if _more or _other else _retract_straight(x, d, out)
     if _found is not None:
         return _found
-    return _retract_function.call((x,), {"d": d, **_other}, out)
+    return _retract_function.call((x, *_more), {"d": d, **_other}, out)
 
 
 retract = _calls.publish(_retract_function, __name__, _retract_call)
@@ -34,11 +36,13 @@ _local_function = _compiled.CompiledFunction(_library, _interface.LOCAL)
 _local_straight = _library.call("local", _interface.LocalResult)
 
 
-def _local_call(x: Any = None, /, *, y: Any = None, out: Any = None, **_other: Any) -> Any:
-    _found = None if _other else _local_straight(x, y, out)
+def _local_call(
+    x: Any = None, /, *_more: Any, y: Any = None, out: Any = None, **_other: Any
+) -> Any:
+    _found = None if _more or _other else _local_straight(x, y, out)
     if _found is not None:
         return _found
-    return _local_function.call((x,), {"y": y, **_other}, out)
+    return _local_function.call((x, *_more), {"y": y, **_other}, out)
 
 
 local = _calls.publish(_local_function, __name__, _local_call)
@@ -48,11 +52,11 @@ _measurement_function = _compiled.CompiledFunction(_library, _interface.MEASUREM
 _measurement_straight = _library.call("measurement", _interface.MeasurementResult)
 
 
-def _measurement_call(x: Any = None, /, *, out: Any = None, **_other: Any) -> Any:
-    _found = None if _other else _measurement_straight(x, out)
+def _measurement_call(x: Any = None, /, *_more: Any, out: Any = None, **_other: Any) -> Any:
+    _found = None if _more or _other else _measurement_straight(x, out)
     if _found is not None:
         return _found
-    return _measurement_function.call((x,), {**_other}, out)
+    return _measurement_function.call((x, *_more), {**_other}, out)
 
 
 measurement = _calls.publish(_measurement_function, __name__, _measurement_call)
@@ -69,12 +73,14 @@ _observed_straight = _library.call("observed", _interface.ObservedResult)
 
 
 def _observed_call(
-    x: Any = None, /, *, observer_attitude: Any = None, out: Any = None, **_other: Any
+    x: Any = None, /, *_more: Any, observer_attitude: Any = None, out: Any = None, **_other: Any
 ) -> Any:
-    _found = None if _other else _observed_straight(x, observer_attitude, out)
+    _found = None if _more or _other else _observed_straight(x, observer_attitude, out)
     if _found is not None:
         return _found
-    return _observed_function.call((x,), {"observer_attitude": observer_attitude, **_other}, out)
+    return _observed_function.call(
+        (x, *_more), {"observer_attitude": observer_attitude, **_other}, out
+    )
 
 
 observed = _calls.publish(_observed_function, __name__, _observed_call)
@@ -89,7 +95,7 @@ _to_state_frame_straight = _library.call("to_state_frame", _interface.ToStateFra
 
 
 def _to_state_frame_call(
-    *,
+    *_more: Any,
     observer_attitude: Any = None,
     receiver_position: Any = None,
     origin_offset: Any = None,
@@ -99,13 +105,13 @@ def _to_state_frame_call(
     out: Any = None,
     **_other: Any,
 ) -> Any:
-    _found = None if _other else _to_state_frame_straight(
+    _found = None if _more or _other else _to_state_frame_straight(
         observer_attitude, receiver_position, origin_offset, attitude, lever_arm, covariance, out
     )
     if _found is not None:
         return _found
     return _to_state_frame_function.call(
-        (),
+        _more,
         {"observer_attitude": observer_attitude, "receiver_position": receiver_position,
         "origin_offset": origin_offset, "attitude": attitude, "lever_arm": lever_arm, "covariance":
         covariance, **_other},

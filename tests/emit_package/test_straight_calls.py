@@ -158,6 +158,22 @@ class Odd(list[Any]):
         return iter(())
 
 
+@pytest.mark.parametrize("given", [(), ("x", "arm"), ("x", "arm", "arm")])
+def test_every_back_end_says_what_goes_by_name(
+    package: ModuleType, rng: np.random.Generator, given: tuple[str, ...]
+) -> None:
+    """Arguments by position that go by name, and none at all: refused in the same words."""
+    x, arm, *_ = epoch(rng)
+    state = [x if name == "x" else arm for name in given]
+    said = set()
+    for name in ("numpy", "native"):
+        inputs = {} if len(given) > 1 else {"lever_arm": arm}
+        with pytest.raises(TypeError, match=r"^gps\(\) (takes|needs) x") as refused:
+            backend(package, name).gps(*state, **inputs)
+        said.add(str(refused.value))
+    assert len(said) == 1
+
+
 def test_lists_that_are_none(package: ModuleType, rng: np.random.Generator) -> None:
     """What Python would iterate over counts, not what is stored."""
     native = backend(package, "native")

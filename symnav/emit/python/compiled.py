@@ -81,13 +81,15 @@ def _straight(function: ir.Function) -> Iterator[str]:
     names = [argument.name for argument in function.arguments]
     first = ["x: Any = None", "/"] if names[:1] == ["x"] else []
     inputs = [f"{name}: Any = None" for name in names if name != "x"]
-    head = call(f"_{function.name}_call", *first, "*", *inputs, "out: Any = None", "**_other: Any")
+    # What is too much goes the general way, which says so as every back end does.
+    rest = ["*_more: Any", *inputs, "out: Any = None", "**_other: Any"]
+    head = call(f"_{function.name}_call", *first, *rest)
     yield from lay_out(head, before="def ", after=" -> Any:")
     own = call(f"_{function.name}_straight", *names, "out")
-    yield from lay_out(own, before="_found = None if _other else ", depth=1)
+    yield from lay_out(own, before="_found = None if _more or _other else ", depth=1)
     yield "    if _found is not None:"
     yield "        return _found"
-    state = tuple_of(["x"] if first else [])
+    state = tuple_of(["x", "*_more"]) if first else "_more"
     known = ", ".join([*(f'"{name}": {name}' for name in names if name != "x"), "**_other"])
-    rest = call(f"_{function.name}_function.call", state, f"{{{known}}}", "out")
-    yield from lay_out(rest, before="return ", depth=1)
+    general = call(f"_{function.name}_function.call", state, f"{{{known}}}", "out")
+    yield from lay_out(general, before="return ", depth=1)

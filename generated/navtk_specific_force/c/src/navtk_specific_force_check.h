@@ -72,9 +72,12 @@
 #endif
 
 /* Straight-line arithmetic has more numbers at hand than the sixteen vector registers of AVX2 hold:
-   gcc is asked for an order that keeps few of them waiting. The thirty-two registers of AVX-512 are
-   enough, and code for SSE2 gains nothing. */
-#if defined(__GNUC__) && !defined(__clang__) && defined(__AVX2__) && !defined(__AVX512F__)
+   gcc is asked for an order that keeps few of them waiting. With the thirty-two of AVX-512 it is
+   asked to reorder before it assigns registers, as far as they last. Code for SSE2 gains nothing.
+       */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__AVX512F__)
+#pragma GCC optimize("schedule-insns", "sched-pressure")
+#elif defined(__GNUC__) && !defined(__clang__) && defined(__AVX2__)
 #pragma GCC optimize("live-range-shrinkage")
 #endif
 
