@@ -100,7 +100,7 @@ HELPER_NAMES = words(
     """
     are_four_centred are_four_within are_three_centred are_three_within are_two_centred
     are_two_within both_failures cosine_of fetch_ahead first_failure first_of_both flag_t guarded
-    indices_to_lanes is_beyond is_centred is_equal is_index_outside is_lane_centred is_near_matrix
+    indices_to_lanes is_beyond is_centred is_equal is_index_outside is_near_matrix
     is_near_quaternion is_outside is_skewed_matrix is_skewed_quaternion is_within lanes_to_rows
     larger_of magnitude_of near_cosine near_sine nearest_multiple read_centred read_value
     rows_to_lanes sine_of smaller_of take_centred take_index take_value turn_of

@@ -153,8 +153,8 @@ def test_what_is_written_for_the_proof_alone_is_assumed() -> None:
     helpers = (directory() / "c" / "helpers").glob("*.j2")
     other = {path.stem for path in helpers if "#ifdef __FRAMAC__" in path.read_text()}
     assert other == {
-        *("is_within", "is_centred", "is_lane_centred", "is_near_quaternion", "is_near_matrix"),
-        *("read_centred", "read_value", "guarded"),
+        *("is_within", "is_centred", "is_beyond", "is_near_quaternion", "is_near_matrix"),
+        *("take_centred", "read_centred", "read_value", "guarded"),
     }
     (assumption,) = [text for text in ASSUMPTIONS if "__FRAMAC__" in text]
     assert all(name in assumption for name in other) and "magnitude" in assumption

@@ -135,19 +135,6 @@ NAVTK_SPECIFIC_FORCE_INLINE bool is_centred(
 #endif
 }
 
-/* True when a value, one of several in a vector register, is a number inside [-bound, bound]. */
-NAVTK_SPECIFIC_FORCE_INLINE bool is_lane_centred(
-    navtk_specific_force_real_t value,
-    navtk_specific_force_real_t bound)
-{
-#ifdef __FRAMAC__ /* Eva bounds a value by comparisons with it, not with its magnitude, and does
-                     not conclude from them that it is no NaN. */
-    return (value == value) && (value >= -bound) && (value <= bound);
-#else
-    return fabs(value) <= bound;
-#endif
-}
-
 /* True when three values are numbers inside [-bound, bound]. */
 NAVTK_SPECIFIC_FORCE_INLINE bool are_three_centred(
     navtk_specific_force_real_t a,
@@ -170,13 +157,20 @@ NAVTK_SPECIFIC_FORCE_INLINE bool are_four_centred(
            is_centred(c, bound) && is_centred(d, bound);
 }
 
-/* 1 when a value is not a number inside [-bound, bound], else 0. */
+/* 1 when a value is not a number inside [-bound, bound], else 0. It is the sign of a difference of
+   bits: nothing waits for a comparison, and vectors of SSE2, which compare no 64 bits, do it too.
+       */
 NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t is_beyond(
     navtk_specific_force_real_t value,
     navtk_specific_force_real_t bound)
 {
-    return is_lane_centred(value, bound) ? (navtk_specific_force_flag_t)0U :
-        (navtk_specific_force_flag_t)1U;
+#ifdef __FRAMAC__ /* Eva bounds a value by comparisons with it, not with its magnitude, and does
+                     not conclude from them that it is no NaN. */
+    return ((value == value) && (value >= -bound) && (value <= bound)) ?
+        (navtk_specific_force_flag_t)0U : (navtk_specific_force_flag_t)1U;
+#else
+    return ((magnitude_of(bound) >> 1U) - (magnitude_of(value) >> 1U)) >> 63U;
+#endif
 }
 
 /* Copy a value into its range. Outside it, or for NaN, the lower end stands for it and 1 is
@@ -200,10 +194,15 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t take_centred(
     navtk_specific_force_real_t bound,
     navtk_specific_force_real_t *copy)
 {
-    const bool within = is_lane_centred(value, bound);
+#ifdef __FRAMAC__ /* see is_beyond */
+    const bool within = (value == value) && (value >= -bound) && (value <= bound);
 
     *copy = within ? value : 0.0;
     return within ? (navtk_specific_force_flag_t)0U : (navtk_specific_force_flag_t)1U;
+#else
+    *copy = (fabs(value) <= bound) ? value : 0.0;
+    return is_beyond(value, bound);
+#endif
 }
 
 /* Copy a value. 1 when it is not a number inside [-bound, bound], else 0: what is computed from
@@ -213,14 +212,15 @@ NAVTK_SPECIFIC_FORCE_INLINE navtk_specific_force_flag_t read_centred(
     navtk_specific_force_real_t bound,
     navtk_specific_force_real_t *copy)
 {
-    const bool within = is_lane_centred(value, bound);
+#ifdef __FRAMAC__ /* Eva does not know what is discarded; see is_beyond. */
+    const bool within = (value == value) && (value >= -bound) && (value <= bound);
 
-#ifdef __FRAMAC__ /* Eva does not know what is discarded. */
     *copy = within ? value : 0.0;
+    return within ? (navtk_specific_force_flag_t)0U : (navtk_specific_force_flag_t)1U;
 #else
     *copy = value;
+    return is_beyond(value, bound);
 #endif
-    return within ? (navtk_specific_force_flag_t)0U : (navtk_specific_force_flag_t)1U;
 }
 
 /* True when a quaternion keeps to unit norm so closely that every element is inside its range. */

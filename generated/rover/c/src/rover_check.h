@@ -150,19 +150,6 @@ ROVER_INLINE bool is_centred(
 #endif
 }
 
-/* True when a value, one of several in a vector register, is a number inside [-bound, bound]. */
-ROVER_INLINE bool is_lane_centred(
-    rover_real_t value,
-    rover_real_t bound)
-{
-#ifdef __FRAMAC__ /* Eva bounds a value by comparisons with it, not with its magnitude, and does
-                     not conclude from them that it is no NaN. */
-    return (value == value) && (value >= -bound) && (value <= bound);
-#else
-    return fabs(value) <= bound;
-#endif
-}
-
 /* True when two values are numbers inside [-bound, bound]. */
 ROVER_INLINE bool are_two_centred(
     rover_real_t a,
@@ -202,6 +189,22 @@ ROVER_INLINE bool is_equal(
     return (first <= second) && (first >= second);
 }
 
+/* 1 when a value is not a number inside [-bound, bound], else 0. It is the sign of a difference of
+   bits: nothing waits for a comparison, and vectors of SSE2, which compare no 64 bits, do it too.
+       */
+ROVER_INLINE rover_flag_t is_beyond(
+    rover_real_t value,
+    rover_real_t bound)
+{
+#ifdef __FRAMAC__ /* Eva bounds a value by comparisons with it, not with its magnitude, and does
+                     not conclude from them that it is no NaN. */
+    return ((value == value) && (value >= -bound) && (value <= bound)) ? (rover_flag_t)0U :
+        (rover_flag_t)1U;
+#else
+    return ((magnitude_of(bound) >> 1U) - (magnitude_of(value) >> 1U)) >> 63U;
+#endif
+}
+
 /* Copy a value into its range. Outside it, or for NaN, the lower end stands for it and 1 is
    returned. */
 ROVER_INLINE rover_flag_t take_value(
@@ -223,10 +226,15 @@ ROVER_INLINE rover_flag_t take_centred(
     rover_real_t bound,
     rover_real_t *copy)
 {
-    const bool within = is_lane_centred(value, bound);
+#ifdef __FRAMAC__ /* see is_beyond */
+    const bool within = (value == value) && (value >= -bound) && (value <= bound);
 
     *copy = within ? value : 0.0;
     return within ? (rover_flag_t)0U : (rover_flag_t)1U;
+#else
+    *copy = (fabs(value) <= bound) ? value : 0.0;
+    return is_beyond(value, bound);
+#endif
 }
 
 /* Copy a value. 1 when it is not a number inside its range, else 0: what is computed from it is
@@ -254,14 +262,15 @@ ROVER_INLINE rover_flag_t read_centred(
     rover_real_t bound,
     rover_real_t *copy)
 {
-    const bool within = is_lane_centred(value, bound);
+#ifdef __FRAMAC__ /* Eva does not know what is discarded; see is_beyond. */
+    const bool within = (value == value) && (value >= -bound) && (value <= bound);
 
-#ifdef __FRAMAC__ /* Eva does not know what is discarded. */
     *copy = within ? value : 0.0;
+    return within ? (rover_flag_t)0U : (rover_flag_t)1U;
 #else
     *copy = value;
+    return is_beyond(value, bound);
 #endif
-    return within ? (rover_flag_t)0U : (rover_flag_t)1U;
 }
 
 /* Copy an integer into its range: the lower end stands for what is outside, and 1 is returned. */

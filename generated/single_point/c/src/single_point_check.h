@@ -134,19 +134,6 @@ SINGLE_POINT_INLINE bool is_centred(
 #endif
 }
 
-/* True when a value, one of several in a vector register, is a number inside [-bound, bound]. */
-SINGLE_POINT_INLINE bool is_lane_centred(
-    single_point_real_t value,
-    single_point_real_t bound)
-{
-#ifdef __FRAMAC__ /* Eva bounds a value by comparisons with it, not with its magnitude, and does
-                     not conclude from them that it is no NaN. */
-    return (value == value) && (value >= -bound) && (value <= bound);
-#else
-    return fabs(value) <= bound;
-#endif
-}
-
 /* True when three values are numbers inside [-bound, bound]. */
 SINGLE_POINT_INLINE bool are_three_centred(
     single_point_real_t a,
@@ -155,6 +142,22 @@ SINGLE_POINT_INLINE bool are_three_centred(
     single_point_real_t bound)
 {
     return is_centred(a, bound) && is_centred(b, bound) && is_centred(c, bound);
+}
+
+/* 1 when a value is not a number inside [-bound, bound], else 0. It is the sign of a difference of
+   bits: nothing waits for a comparison, and vectors of SSE2, which compare no 64 bits, do it too.
+       */
+SINGLE_POINT_INLINE single_point_flag_t is_beyond(
+    single_point_real_t value,
+    single_point_real_t bound)
+{
+#ifdef __FRAMAC__ /* Eva bounds a value by comparisons with it, not with its magnitude, and does
+                     not conclude from them that it is no NaN. */
+    return ((value == value) && (value >= -bound) && (value <= bound)) ? (single_point_flag_t)0U :
+        (single_point_flag_t)1U;
+#else
+    return ((magnitude_of(bound) >> 1U) - (magnitude_of(value) >> 1U)) >> 63U;
+#endif
 }
 
 /* A number that its guard lets pass, or that has passed it before; else a harmless one. */
@@ -193,10 +196,15 @@ SINGLE_POINT_INLINE single_point_flag_t take_centred(
     single_point_real_t bound,
     single_point_real_t *copy)
 {
-    const bool within = is_lane_centred(value, bound);
+#ifdef __FRAMAC__ /* see is_beyond */
+    const bool within = (value == value) && (value >= -bound) && (value <= bound);
 
     *copy = within ? value : 0.0;
     return within ? (single_point_flag_t)0U : (single_point_flag_t)1U;
+#else
+    *copy = (fabs(value) <= bound) ? value : 0.0;
+    return is_beyond(value, bound);
+#endif
 }
 
 /* Copy a value. 1 when it is not a number inside its range, else 0: what is computed from it is
@@ -224,14 +232,15 @@ SINGLE_POINT_INLINE single_point_flag_t read_centred(
     single_point_real_t bound,
     single_point_real_t *copy)
 {
-    const bool within = is_lane_centred(value, bound);
+#ifdef __FRAMAC__ /* Eva does not know what is discarded; see is_beyond. */
+    const bool within = (value == value) && (value >= -bound) && (value <= bound);
 
-#ifdef __FRAMAC__ /* Eva does not know what is discarded. */
     *copy = within ? value : 0.0;
+    return within ? (single_point_flag_t)0U : (single_point_flag_t)1U;
 #else
     *copy = value;
+    return is_beyond(value, bound);
 #endif
-    return within ? (single_point_flag_t)0U : (single_point_flag_t)1U;
 }
 
 /* Bring memory that is read or written next into the cache, a line of 64 bytes at a time. A hint:
