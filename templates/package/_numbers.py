@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 import operator
 from collections.abc import Callable, Mapping, Sequence
+from itertools import chain
 from operator import call, itemgetter, le
 from struct import Struct, pack_into
 from typing import Any, NamedTuple
@@ -193,22 +194,36 @@ def _items_reader(argument: Argument, guarded: bool) -> Callable[[Any], tuple[in
     places, low, high, norms = _limits(argument, guarded)
     limits = list(zip(places, low, high, strict=True))
     rank, own = argument.rank, () if argument.scalar else (argument.size,)
+    alike = len(places) == argument.size and len({*zip(low, high, strict=True)}) == 1
 
-    def read(value: Any) -> tuple[int, Any]:
+    def counted(value: Any) -> int:
         if type(value) is not np.ndarray or value.ndim != rank or value.shape[1:] != own:
             raise Unfit
         count = len(value)
         if norms or not 0 < count <= MOST_ITEMS or not _fits(argument, value):
             raise Unfit
+        return count
+
+    def read(value: Any) -> tuple[int, Any]:
+        count = counted(value)
         columns = [value.tolist()] if argument.scalar else value.T.tolist()
         for place, lower, upper in limits:
-            column = columns[place]
-            # NaN is neither the smallest nor the largest, but the sum knows.
-            if not lower <= min(column) <= max(column) <= upper or math.isnan(sum(column)):
-                raise Unfit
+            _require_inside(columns[place], lower, upper)
         return count, columns[0] if argument.scalar else zip(*columns, strict=True)
 
-    return read
+    def read_alike(value: Any) -> tuple[int, Any]:
+        count = counted(value)
+        numbers = value.ravel().tolist()
+        _require_inside(numbers, low[0], high[0])
+        return count, zip(*[iter(numbers)] * argument.size, strict=True)
+
+    return read_alike if alike and not argument.scalar else read
+
+
+def _require_inside(numbers: Sequence[float], lower: float, upper: float) -> None:
+    """Hands over where a number is outside; NaN is neither first nor last, but the sum knows."""
+    if not lower <= min(numbers) <= max(numbers) <= upper or math.isnan(sum(numbers)):
+        raise Unfit
 
 
 class _Writer:
@@ -223,9 +238,9 @@ class _Writer:
         for number, place in enumerate(places):
             sources[place] = number
         self._dense = _picker(sources)
-        in_order = sources == list(range(len(places)))
+        self._in_order = sources == list(range(len(places)))
         #: From one row of non-zeros to its array.
-        self.one = self._scattered_one if self._sparse else self._packer(in_order)
+        self.one = self._scattered_one if self._sparse else self._packer(self._in_order)
 
     def _packer(self, in_order: bool) -> Callable[[Sequence[float]], Array]:
         shape, empty, dense = self._shape, np.empty, self._dense
@@ -253,8 +268,8 @@ class _Writer:
             return self._scattered(rows).reshape(shape)
         array: Array = np.empty(shape)
         dense = self._dense
-        numbers = [number for row in rows for number in dense((*row, 0.0))]
-        pack_into(f"{len(numbers)}d", array, 0, *numbers)
+        whole = rows if self._in_order else [dense((*row, 0.0)) for row in rows]
+        pack_into(f"{array.size}d", array, 0, *chain.from_iterable(whole))
         return array
 
     def _scattered(self, rows: Sequence[Sequence[float]]) -> Array:
