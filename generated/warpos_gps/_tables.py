@@ -176,8 +176,8 @@ def _picker(argument: Argument, places: Sequence[int]) -> Callable[[Sequence[Any
 
 def _quaternion_defects(rows: Array, out: Array) -> None:
     """The defect of ``norm_defects`` with its sign: the square of the norm less one."""
-    w, x, y, z = rows
-    np.subtract(w * w + x * x + y * y + z * z, 1.0, out=out[0])
+    np.einsum("kn,kn->n", rows, rows, out=out[0])
+    out[0] -= 1.0
 
 
 def _matrix_defects(rows: Array, out: Array) -> None:
