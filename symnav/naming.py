@@ -146,6 +146,7 @@ _CASADI_NUMBERED = re.compile(r"[cfs]\d+", re.IGNORECASE)
 
 #: Packages whose names are those of headers of the system, Python or NumPy: R_OK, npy_intp ...
 _SYSTEM_PACKAGES = words("f r w x")
+_SYSTEM_CAPITALS = re.compile(r"(Py|Npy)[A-Z]")
 _SYSTEM_PREFIXES = ("have_", "npy_", "py_", "pyctype_", "pymacconfig_")
 
 #: Suffixes of the entry points made from one function, the last ones by CasADi's generator.
@@ -252,7 +253,7 @@ def _package_fault(name: str) -> str | None:
     """Why the names that a package's name leads would be those of other headers."""
     if name.lower() in _SYSTEM_PACKAGES:
         return f"{name!r} gives {macro(name, 'ok')}, a macro of unistd.h; choose another name"
-    if f"{name}_".lower().startswith(_SYSTEM_PREFIXES):
+    if f"{name}_".lower().startswith(_SYSTEM_PREFIXES) or _SYSTEM_CAPITALS.match(name):
         return f"{name!r} leads names of the headers of Python and NumPy; choose another name"
     if name.isupper():
         return f"{name!r} is upper case, which C keeps for macros; use lower case"

@@ -66,6 +66,7 @@ ROOT = Path(__file__).parents[2]
         ("f32_gps", Use.FUNCTION, "leads the names of the single-precision C"),
         ("r", Use.PACKAGE, "'r' gives R_OK, a macro of unistd.h"),
         ("py_model", Use.PACKAGE, "leads names of the headers of Python and NumPy"),
+        ("PyObject", Use.PACKAGE, "leads names of the headers of Python and NumPy"),
         ("npy", Use.PACKAGE, "leads names of the headers of Python and NumPy"),
         ("ROVER", Use.PACKAGE, "upper case, which C keeps for macros"),
         ("Rover", Use.PACKAGE, None),

@@ -59,8 +59,8 @@ DEVIATIONS: tuple[Deviation, ...] = (
         "A union is not to be used.",
         "The union in the check header by which a check reads the bits of a number.",
         "The bits of magnitudes are in the order of the magnitudes, NaN above all of them: one "
-        "comparison of integers is a check, without a library call where a processor has no "
-        "arithmetic of that type.",
+        "comparison of integers, or the sign of their difference, is a check, without a library "
+        "call where a processor has no arithmetic of that type.",
         "Both members are of one size, and one function of three statements uses the union. C99 "
         "defines what reading the other member gives; compilers of C++ that take this code do so "
         "too. Frama-C proves the comparisons in its place, which tests hold against it.",

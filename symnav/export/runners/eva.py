@@ -99,16 +99,17 @@ ASSUMPTIONS = (
     "Pointers that are not null point to arrays as large as the header says, which do not overlap.",
     "Under __FRAMAC__ some things are written differently. is_within also compares the value with "
     "itself: by IEEE 754 a NaN fails the others already, which Eva 25 does not conclude. "
-    "is_centred, is_beyond and take_centred do so as well, and make two comparisons, with either "
-    "bound, where what is compiled compares the magnitude with one, the first two by the bits of "
-    "both, is_beyond by the sign of their difference: by IEEE 754 that is the same. "
-    "is_near_quaternion and is_near_matrix say no, so that elements of a rotation are looked at "
-    "one by one: where what is compiled does without, the norm bounds them more closely. "
-    "read_centred and read_value put a number that is harmless in the place of one outside its "
-    "range; what is compiled goes on with it by sums and products alone (roots, divisors and "
-    "library functions read what a guard has selected) and discards what comes of it. What has "
-    "passed its checks, and is copied or guarded a second time, is selected there once more, by "
-    "the same comparisons of the same numbers.",
+    "is_centred, is_beyond, take_centred and read_centred do so as well, and make two "
+    "comparisons, with either bound, where what is compiled compares the magnitude with one: "
+    "is_centred by the bits of both, is_beyond, which the other two call then, by the sign of "
+    "their difference or, for clang, as numbers. By IEEE 754 that is the same. is_near_quaternion "
+    "and is_near_matrix say no, so that elements of a rotation are looked at one by one: where "
+    "what is compiled does without, the norm bounds them more closely. read_centred and "
+    "read_value put a number that is harmless in the place of one outside its range; what is "
+    "compiled goes on with it by sums and products alone (roots, divisors and library functions "
+    "read what a guard has selected) and discards what comes of it. What has passed its checks, "
+    "and is copied or guarded a second time, is selected there once more, by the same comparisons "
+    "of the same numbers.",
     "Items: every count from 0 to the maximum. Single differences: counts and references that the "
     "driver lists. Many epochs: as many as the driver lists, with inputs apart and the same.",
 )

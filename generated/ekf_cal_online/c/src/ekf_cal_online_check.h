@@ -73,8 +73,7 @@
 
 /* Straight-line arithmetic has more numbers at hand than the sixteen vector registers of AVX2 hold:
    gcc is asked for an order that keeps few of them waiting. With the thirty-two of AVX-512 it is
-   asked to reorder before it assigns registers, as far as they last. Code for SSE2 gains nothing.
-       */
+   asked to reorder before it assigns registers, as far as they last. SSE2 gains by neither. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__AVX512F__)
 #pragma GCC optimize("schedule-insns", "sched-pressure")
 #elif defined(__GNUC__) && !defined(__clang__) && defined(__AVX2__)
@@ -143,9 +142,8 @@ EKF_CAL_ONLINE_INLINE bool are_four_centred(
            is_centred(c, bound) && is_centred(d, bound);
 }
 
-/* 1 when a value is not a number inside [-bound, bound], else 0. It is the sign of a difference of
-   bits: nothing waits for a comparison, and vectors of SSE2, which compare no 64 bits, do it too.
-       */
+/* 1 when a value is not a number inside [-bound, bound], else 0. As the sign of a difference of
+   bits gcc has it sooner than from a comparison, which clang does quicker side by side. */
 EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t is_beyond(
     ekf_cal_online_real_t value,
     ekf_cal_online_real_t bound)
@@ -154,6 +152,8 @@ EKF_CAL_ONLINE_INLINE ekf_cal_online_flag_t is_beyond(
                      not conclude from them that it is no NaN. */
     return ((value == value) && (value >= -bound) && (value <= bound)) ? (ekf_cal_online_flag_t)0U :
         (ekf_cal_online_flag_t)1U;
+#elif defined(__clang__)
+    return (fabs(value) <= bound) ? (ekf_cal_online_flag_t)0U : (ekf_cal_online_flag_t)1U;
 #else
     return ((magnitude_of(bound) >> 1U) - (magnitude_of(value) >> 1U)) >> 63U;
 #endif

@@ -73,8 +73,7 @@
 
 /* Straight-line arithmetic has more numbers at hand than the sixteen vector registers of AVX2 hold:
    gcc is asked for an order that keeps few of them waiting. With the thirty-two of AVX-512 it is
-   asked to reorder before it assigns registers, as far as they last. Code for SSE2 gains nothing.
-       */
+   asked to reorder before it assigns registers, as far as they last. SSE2 gains by neither. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__AVX512F__)
 #pragma GCC optimize("schedule-insns", "sched-pressure")
 #elif defined(__GNUC__) && !defined(__clang__) && defined(__AVX2__)
@@ -176,9 +175,8 @@ FARRELL_TIGHTLY_COUPLED_INLINE bool are_four_centred(
            is_centred(c, bound) && is_centred(d, bound);
 }
 
-/* 1 when a value is not a number inside [-bound, bound], else 0. It is the sign of a difference of
-   bits: nothing waits for a comparison, and vectors of SSE2, which compare no 64 bits, do it too.
-       */
+/* 1 when a value is not a number inside [-bound, bound], else 0. As the sign of a difference of
+   bits gcc has it sooner than from a comparison, which clang does quicker side by side. */
 FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t is_beyond(
     farrell_tightly_coupled_real_t value,
     farrell_tightly_coupled_real_t bound)
@@ -187,6 +185,9 @@ FARRELL_TIGHTLY_COUPLED_INLINE farrell_tightly_coupled_flag_t is_beyond(
                      not conclude from them that it is no NaN. */
     return ((value == value) && (value >= -bound) && (value <= bound)) ?
         (farrell_tightly_coupled_flag_t)0U : (farrell_tightly_coupled_flag_t)1U;
+#elif defined(__clang__)
+    return (fabs(value) <= bound) ? (farrell_tightly_coupled_flag_t)0U :
+        (farrell_tightly_coupled_flag_t)1U;
 #else
     return ((magnitude_of(bound) >> 1U) - (magnitude_of(value) >> 1U)) >> 63U;
 #endif
