@@ -79,17 +79,21 @@ class Inputs:
 
     def readings(self, loads: Iterable[ir.Load], seen: set[ir.Load]) -> list[str]:
         """Statements that read, of some loads, those not read before; ``seen`` grows."""
-        new = (self.pointed & set(loads)) - seen
+        new = {load for load in loads if load in self.pointed} - seen
         seen |= new
         return [
             line
-            for load, element in self.table.items()
-            if load in new
+            for element in map(self.table.__getitem__, sorted(new, key=self._rank.__getitem__))
             for line in comments.code(
                 f"const {self.target.real} {element.field} = {self._pointed_at(element)};",
                 remark=_where(element.domain),
             )
         ]
+
+    @cached_property
+    def _rank(self) -> dict[ir.Load, int]:
+        """Place of every element in the order of the interface."""
+        return {load: rank for rank, load in enumerate(self.table)}
 
     def _pointed_at(self, element: Element) -> str:
         """C text of an element that the kernel reads from where the caller keeps it."""

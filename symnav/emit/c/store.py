@@ -124,7 +124,8 @@ class Store:
     @property
     def complete(self) -> bool:
         """True when the non-zeros are the dense form, element by element."""
-        places = [self._positions()[k] for k in range(self.layout.size)]
+        positions = self._positions()
+        places = [positions[place] for place in range(self.layout.size)]
         return [entry.index for entry in self.output.entries] == places
 
     @property
